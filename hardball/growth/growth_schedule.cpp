@@ -58,6 +58,13 @@ bool is_dilute(const World& world, double packing_fraction) {
          world.size() >= kMany;
 }
 
+// Whether so long a time between the contacts of a sphere is more than rounding: what is locked among walls
+// exerts no pressure on other spheres.
+bool are_resolved(const Time& moment, double between_contacts) {
+  constexpr double kFewest = 8;
+  return between_contacts > kFewest * (std::nextafter(moment.high, kNever.high) - moment.high);
+}
+
 double root_of(const Box& box, double volume_ratio) {
   return box.is_flat() ? std::sqrt(volume_ratio) : cube_root(volume_ratio);
 }
@@ -169,7 +176,8 @@ GrowthEpoch GrowthSchedule::act(const World& world, const Tally& tally, const Ti
   const double change = std::fabs(world.motion().growth().rate) * elapsed / scale;
   const double steepness = std::fabs(gained) * elapsed / (energy * change);
   if (is_last_) return {stop(moment, target_, at_target_)};
-  if (compressibility_ > std::min(rules_.until_compressibility, kMostCompressibility))
+  if (compressibility_ > std::min(rules_.until_compressibility, kMostCompressibility) ||
+      !are_resolved(moment, elapsed / (static_cast<double>(contacts) / static_cast<double>(world.size()))))
     return {stop(moment, scale, State::over_pressure)};
   return grow(world, moment, steepness);
 }
@@ -179,6 +187,8 @@ GrowthEpoch GrowthSchedule::grow(const World& world, const Time& moment, double 
   state_ = State::growing;
   const Scales scales = scales_of(world, moment);
   const double scale = world.motion().scale_at(moment);
+  // Not even for a moment: the largest sphere may touch its own image already.
+  if (scale == target_) return {stop(moment, target_, at_target_)};
   double factor = 1;
   while (factor * scales.speed >= 2 * speed_) factor /= 2;
   while (factor * scales.speed < speed_ / 2) factor *= 2;

@@ -24,30 +24,38 @@ class Cone {
 
   /// When a sphere first touches the cone while they approach, at the start of a passage or later.
   Time contact_time(const Passage& passage) const {
-    const Room room = room_of(passage);
+    const Polynomial across = square_from_axis(passage);
+    Room room = room_of(passage);
+    // What overlaps by rounding touches.
+    const double from_axis = std::sqrt(across.coefficients[0].high);
+    if (room.at_start.high < from_axis) room.at_start = {from_axis, 0};
     // On the axis, a sphere that comes to the apex is met where it has no room left.
-    const double wait = std::min(earliest_descent(gap(passage, room)),
+    const double wait = std::min(earliest_descent(gap(room, across)),
                                  earliest_descent({{room.at_start, room.rate, room.half_curvature}}));
     return after(passage.start, wait);
   }
   /// The speed at which the difference of squares that `contact_time` follows changes; at the apex, where
   /// that is zero, the one at which the room does.
   DoubleDouble<> opening_speed(const Passage& passage) const {
-    const Room room = room_of(passage);
-    const DoubleDouble<> speed = gap(passage, room).coefficients[1];
+    const Polynomial across = square_from_axis(passage);
+    Room room = room_of(passage);
+    // As of a sphere that touches: where it fills the cone around the apex, rounding could be as large as
+    // both.
+    room.at_start = {std::sqrt(across.coefficients[0].high), 0};
+    const DoubleDouble<> speed = gap(room, across).coefficients[1];
     return speed.high == 0 && speed.low == 0 ? room.rate : speed;
   }
   /// The distance from a point to the surface [L]; negative beyond it.
   double distance(const Vec3& position) const {
     const double along = dot(position, axis_);
-    return (along * slope_ - length(position - along * axis_)) / secant_;
+    return (along * slope_ - length(part_across(position, axis_))) / secant_;
   }
   /// The unit vector toward the surface.
   Vec3 towards(const Vec3& position) const {
-    const double along = dot(position, axis_);
-    const Vec3 outwards = position - along * axis_;
+    const Vec3 outwards = part_across(position, axis_);
     const double from_axis = length(outwards);
-    if (!(from_axis > 0)) return -axis_;  // the apex
+    // At the apex, or where a sphere touches all around: less is what rounding leaves.
+    if (!(from_axis > 0x1p-90 * length(position))) return -axis_;
     return (1 / secant_) * ((1 / from_axis) * outwards - slope_ * axis_);
   }
 
@@ -70,19 +78,19 @@ class Cone {
     const PreciseVector axis = precise(axis_);
     const DoubleDouble<> slope{slope_, 0};
     const DoubleDouble<> secant{secant_, 0};
-    DoubleDouble<> at_start =
-        slope * dot(passage.position, axis) - secant * DoubleDouble<>{passage.radius, 0};
-    // By rounding a sphere at the apex has less than none, whose square would be some.
-    if (at_start.high < 0) at_start = {0, 0};
-    return {at_start, slope * dot(passage.velocity, axis) - secant * DoubleDouble<>{passage.growth, 0},
+    return {slope * dot(passage.position, axis) - secant * DoubleDouble<>{passage.radius, 0},
+            slope * dot(passage.velocity, axis) - secant * DoubleDouble<>{passage.growth, 0},
             slope * dot(half(passage.acceleration), axis)};
   }
-  // The difference of the squares of the distance that the center may have from the axis and that it has.
-  Polynomial gap(const Passage& passage, const Room& room) const {
+  // The square of the distance that the center has from the axis.
+  Polynomial square_from_axis(const Passage& passage) const {
     const PreciseVector axis = precise(axis_);
-    return difference(square_of(room.at_start, room.rate, room.half_curvature),
-                      squared_distance(cross(passage.position, axis), cross(passage.velocity, axis),
-                                       cross(half(passage.acceleration), axis)));
+    return squared_distance(cross(passage.position, axis), cross(passage.velocity, axis),
+                            cross(half(passage.acceleration), axis));
+  }
+  // By how much the square of the distance that it may have is larger.
+  static Polynomial gap(const Room& room, const Polynomial& across) {
+    return difference(square_of(room.at_start, room.rate, room.half_curvature), across);
   }
 
   Vec3 axis_;

@@ -30,7 +30,7 @@ class Cylinder {
   /// The distance from a point to the surface [L]; negative beyond it.
   double distance(const Vec3& position) const { return radius_ - length(towards(position)); }
   /// A vector of any length from a point toward the surface.
-  Vec3 towards(const Vec3& position) const { return position - dot(position, axis_) * axis_; }
+  Vec3 towards(const Vec3& position) const { return part_across(position, axis_); }
 
  private:
   friend class Persistence;

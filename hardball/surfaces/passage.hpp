@@ -26,6 +26,16 @@ inline DoubleDouble<> dot(const PreciseVector& a, const PreciseVector& b) {
   return sum_of_three(a.x * b.x, a.y * b.y, a.z * b.z);
 }
 
+/// The part of a vector that is perpendicular to a unit vector: its direction is right, however small it is
+/// beside the vector.
+inline Vec3 part_across(const Vec3& vector, const Vec3& axis) {
+  const Vec3 rest = vector - dot(vector, axis) * axis;
+  constexpr double kSmall = 0x1p-40;  // by the squares
+  if (dot(rest, rest) > kSmall * dot(vector, vector)) return rest;
+  const PreciseVector turned = cross(precise(vector), precise(axis));
+  return cross(axis, Vec3{turned.x.high, turned.y.high, turned.z.high});
+}
+
 /// The motion of a sphere past a surface, from the start of its path or of the epoch of its growth on: where
 /// its center is relative to the point that defines the surface, in the frame in which that point rests, on a
 /// parabola or a line; and its radius.

@@ -190,7 +190,10 @@ TEST_P(GrowthAgrees, OnRandomWorlds) {
           outcome = run_in_pieces(simulation, limits, random);
         } else {
           outcome = outcome_of(simulation, support::run_on(simulation, limits));
-          ASSERT_EQ(outcome.history.failure, "");
+          // What is locked among walls comes to rest where impacts are inelastic.
+          const bool is_collapse =
+              made.restitution < 1 && outcome.history.failure.find("inelastic collapse") != std::string::npos;
+          ASSERT_TRUE(outcome.history.failure.empty() || is_collapse) << outcome.history.failure;
           simulation.validate();
           const double energy = simulation.world().energy(simulation.now());
           const double before = simulation.tally().initial_energy();

@@ -197,6 +197,21 @@ TEST(GrowingSpheres, AreRefusedWhereTheyCannotBe) {
 
 // Few spheres between walls lock so suddenly that no epoch before tells. Growth ends nevertheless, where
 // gaps are no longer resolved, and does so in the same way for every engine.
+// Whichever candidates an engine looks at, a sphere never meets its own image.
+TEST(Growth, EndsAtOnceWhereASphereFillsTheBox) {
+  for (const EngineOptions& options : {EngineOptions{.engine = EngineKind::all_pairs},
+                                       EngineOptions{.engine = EngineKind::cells, .cell_edge = 3.0}}) {
+    World world(Box::periodic({1, 1, 4}));
+    world.add({.position = {0.5, 0.5, 1}, .velocity = {0.1, 0.2, 0.3}, .radius = 0.5});
+    world.add({.position = {0.5, 0.5, 3}, .velocity = {0.2, -0.2, -0.1}, .radius = 0.5});
+    Simulation simulation(std::move(world), options);
+    simulation.grow({.rate = 0.01});
+    simulation.run_contacts(50, 100);
+    EXPECT_EQ(simulation.growth()->state(), GrowthSchedule::State::no_room);
+    EXPECT_GT(simulation.time(), 1);
+  }
+}
+
 TEST(Growth, EndsWhereFewSpheresLock) {
   std::uint64_t hash = 0;
   for (const EngineOptions& options :

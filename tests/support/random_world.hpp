@@ -87,6 +87,7 @@ class RandomWorldMaker {
     if (chance(0.3)) dimensions_ = 2;
     choose_scales();
     grows_ = true;
+    size_ratio_ = std::array{10.0, 10.0, 20.0, 100.0}[below(4)];
     is_furnished_ = chance(0.5);
     const double kind = random_.uniform();
     if (kind < 0.6 || (kind < 0.75 && is_furnished_)) {
@@ -336,7 +337,9 @@ class RandomWorldMaker {
     return false;
   }
 
-  double random_radius(bool mixed) { return mixed ? largest_radius_ / between(1, 10) : largest_radius_; }
+  double random_radius(bool mixed) {
+    return mixed ? largest_radius_ / between(1, size_ratio_) : largest_radius_;
+  }
   double random_mass(bool mixed) {
     return mixed ? std::ldexp(between(1, 2), static_cast<int>(below(10)) - 5) : 1;
   }
@@ -516,6 +519,7 @@ class RandomWorldMaker {
   std::size_t dimensions_ = 3;
   std::size_t wanted_ = 0;
   double largest_radius_ = 0.5;
+  double size_ratio_ = 10;  // of mixed radii
   double speed_ = 1;
   double elastic_below_ = 0;
   std::optional<Interactions> interactions_;
@@ -526,8 +530,8 @@ class RandomWorldMaker {
 };
 
 /// A world of 0 to 40 spheres: every mix of boundaries, boxes from barely larger than a sphere to large,
-/// radii mixed up to a ratio of 10 and masses up to 1000, spheres at rest, lattices full of ties, touching
-/// spheres, restitution from 0.3 to 1. No overlaps.
+/// radii mixed up to a ratio of 10, of growing ones 100, and masses up to 1000, spheres at rest, lattices
+/// full of ties, touching spheres, restitution from 0.3 to 1. No overlaps.
 inline RandomWorld make_random_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make();
 }

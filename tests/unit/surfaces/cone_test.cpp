@@ -51,6 +51,37 @@ TEST(Cone, HoldsASphereThatComesDownItsAxis) {
   EXPECT_GT(simulation.velocity(0).z, 0);
 }
 
+// A sphere that fills the cone around the apex is on the axis but for rounding: yet its directions to the
+// wall are perpendicular to it, and what it is told of an approach agrees with them.
+TEST(Cone, HasDirectionsRightNextToItsAxis) {
+  const double length_of_axis = std::sqrt(1 + 0.3 * 0.3);
+  const Vec3 axis{1 / length_of_axis, 0.3 / length_of_axis, 0};
+  const Vec3 across{-axis.y, axis.x, 0};
+  const double secant = std::sqrt(1 + kSlope * kSlope);
+  const Surface cone(Cone(axis, kSlope), {});
+  const Surface tube(Cylinder(axis, 1), {});
+  for (const double along : {1.0, 300.0, 2e6}) {
+    const Vec3 on_axis = along * axis;
+    for (int steps = -20; steps <= 20; ++steps) {
+      const Vec3 position{on_axis.x, on_axis.y + steps * 0x1p-52 * along, 0};
+      // The products are exact in long double.
+      const long double aside =
+          static_cast<long double>(position.y) * axis.x - static_cast<long double>(position.x) * axis.y;
+      if (std::fabs(aside) < 1e-18 * along) continue;
+      const double side = aside > 0 ? 1 : -1;
+      const Vec3 expected = (1 / secant) * (side * across - kSlope * axis);
+      EXPECT_NEAR(length(cone.direction(position, Time(0)) - expected), 0, 1e-9) << along << ", " << steps;
+      EXPECT_NEAR(length(tube.direction(position, Time(0)) - side * across), 0, 1e-9);
+      // Touching, and sliding along the wall a little outwards or inwards.
+      const double radius = cone.distance(position, Time(0));
+      for (const double speed : {1e-6, -1e-6}) {
+        const Vec3 velocity = side * kSlope * across + axis + speed * expected;
+        EXPECT_EQ(cone.is_approached(Motion(), {position, velocity, Time(0)}, radius), speed > 0);
+      }
+    }
+  }
+}
+
 TEST(Cone, LeavesRoomBetweenTheFacesOfTheBox) {
   const World world(Box::walls({10, 10, 4}), {}, {Surface(Cone({0, 0, 1}, kSlope), {5, 5, -2})});
   const double frustum = std::numbers::pi / 3 * kSlope * kSlope * (6 * 6 * 6 - 2 * 2 * 2);
