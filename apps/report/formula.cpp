@@ -23,12 +23,12 @@ struct Symbol {
 };
 
 constexpr std::array kLetters = {
-    Symbol{"alpha", "α"}, Symbol{"beta", "β"},   Symbol{"gamma", "γ"},  Symbol{"delta", "δ"},
-    Symbol{"theta", "θ"}, Symbol{"kappa", "κ"},  Symbol{"lambda", "λ"}, Symbol{"mu", "μ"},
-    Symbol{"pi", "π"},    Symbol{"rho", "ρ"},    Symbol{"sigma", "σ"},  Symbol{"tau", "τ"},
-    Symbol{"phi", "φ"},   Symbol{"varphi", "φ"}, Symbol{"chi", "χ"},    Symbol{"psi", "ψ"},
-    Symbol{"omega", "ω"}, Symbol{"Delta", "Δ"},  Symbol{"Psi", "Ψ"},    Symbol{"Omega", "Ω"},
-    Symbol{"ell", "ℓ"},   Symbol{"infty", "∞"},  Symbol{"partial", "∂"}};
+    Symbol{"alpha", "α"}, Symbol{"beta", "β"},  Symbol{"gamma", "γ"},  Symbol{"delta", "δ"},
+    Symbol{"eta", "η"},   Symbol{"theta", "θ"}, Symbol{"kappa", "κ"},  Symbol{"lambda", "λ"},
+    Symbol{"mu", "μ"},    Symbol{"pi", "π"},    Symbol{"rho", "ρ"},    Symbol{"sigma", "σ"},
+    Symbol{"tau", "τ"},   Symbol{"phi", "φ"},   Symbol{"varphi", "φ"}, Symbol{"chi", "χ"},
+    Symbol{"psi", "ψ"},   Symbol{"omega", "ω"}, Symbol{"Delta", "Δ"},  Symbol{"Psi", "Ψ"},
+    Symbol{"Omega", "Ω"}, Symbol{"ell", "ℓ"},   Symbol{"infty", "∞"},  Symbol{"partial", "∂"}};
 
 constexpr std::array kOperators = {Symbol{"cdot", "⋅"},   Symbol{"times", "×"}, Symbol{"le", "≤"},
                                    Symbol{"ge", "≥"},     Symbol{"ne", "≠"},    Symbol{"in", "∈"},
@@ -37,7 +37,7 @@ constexpr std::array kOperators = {Symbol{"cdot", "⋅"},   Symbol{"times", "×"
 
 constexpr std::array kBrackets = {Symbol{"langle", "⟨"}, Symbol{"rangle", "⟩"}};
 
-constexpr std::array<std::string_view, 6> kFunctions = {"exp", "ln", "sin", "cos", "min", "max"};
+constexpr std::array<std::string_view, 7> kFunctions = {"exp", "lim", "ln", "sin", "cos", "min", "max"};
 
 constexpr std::string_view kDelimiters = "()[]|";
 constexpr std::string_view kRight = "\\right";

@@ -17,7 +17,8 @@ HARDBALL_EXPORT std::span<const std::string_view> measure_names();
 
 /// What to measure in a run, and when.
 struct MeasureSettings {
-  /// Some of measure_names(); "all" means all of them.
+  /// Some of measure_names(); "all" means all but those of transport: "diffusion", "viscosity",
+  /// "bulk_viscosity", "thermal_conductivity" and "mutual_diffusion".
   std::vector<std::string> names = {"all"};
   /// The time between samples [T]; if absent, each measure has its own, see SamplingSchedule.
   std::optional<double> every = {};

@@ -28,6 +28,7 @@
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/structure_factor.hpp"
 #include "hardball/measure/temperature.hpp"
+#include "hardball/measure/transport.hpp"
 #include "hardball/measure/velocity_autocorrelation.hpp"
 #include "hardball/measure/velocity_distribution.hpp"
 #include "hardball/measure/wall_forces.hpp"
@@ -58,6 +59,18 @@ concept Samples = requires(Measure measure, const Scene& scene) {
 template <class Measure>
 concept FollowsSpheres = requires {
   Measure::kCostPerSphereFollowed;
+};
+
+/// Needs samples at equal times throughout.
+template <class Measure>
+concept SamplesSteadily = requires {
+  Measure::kSamplesSteadily;
+};
+
+/// Is taken where it is named, and not with all others.
+template <class Measure>
+concept IsByName = requires {
+  Measure::kIsByName;
 };
 
 template <class M>
@@ -93,7 +106,8 @@ struct All {
 };
 using AllMeasures = All<Pressure, WallForces, Temperature, CollisionRate, ImpactSpeeds, VelocityDistribution,
                         MeanSquareDisplacement, VelocityAutocorrelation, RadialDistribution, StructureFactor,
-                        DensityProfiles, FlowProfiles, Coordination, NearestNeighbor, BondOrder>;
+                        DensityProfiles, FlowProfiles, Coordination, NearestNeighbor, BondOrder,
+                        SelfDiffusion, Viscosity, BulkViscosity, ThermalConductivity, MutualDiffusion>;
 
 template <class Entry>
 using MeasureOf = typename std::remove_cvref_t<Entry>::Measure;
@@ -118,6 +132,10 @@ void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double
     entry.schedule =
         every ? SamplingSchedule(now, *every) : SamplingSchedule(now, finest, kWindow, cost, pace);
     entry.measure.emplace(scene, entry.schedule.interval(), spheres);
+  } else if constexpr (SamplesSteadily<Measure>) {
+    const double interval = every ? *every : power_of_two_from(pace.free_time);
+    entry.schedule = SamplingSchedule(now, interval);
+    entry.measure.emplace(scene, interval);
   } else {
     entry.measure.emplace(scene);
     if constexpr (Samples<Measure>) {
@@ -151,7 +169,8 @@ Measures::Measures(const MeasureSettings& settings)
   for (const std::string& name : settings.names) {
     bool is_known = name == "all";
     entries_->for_each([&](auto& entry) {
-      if (name != "all" && name != MeasureOf<decltype(entry)>::kName) return;
+      using Measure = MeasureOf<decltype(entry)>;
+      if (name == "all" ? IsByName<Measure> : name != Measure::kName) return;
       entry.is_wanted = true;
       is_known = true;
     });

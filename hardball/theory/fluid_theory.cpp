@@ -196,38 +196,64 @@ double FluidTheory::enskog_diffusion(double temperature) const {
   return kHigherOrders * dilute / contact_value_of_many(0, 0);
 }
 
-// Of equal spheres [M L^-1 T^-1]: Enskog's, times what simulations find it to be off.
+// To higher order in Sonine polynomials.
+double FluidTheory::dilute_viscosity(double temperature) const {
+  const double diameter = 2 * species_.radius(0);
+  return 0.17914 * std::sqrt(species_.mass(0) * temperature) / (diameter * diameter);
+}
+
+double FluidTheory::enskog_viscosity(double temperature) const {
+  if (!has_transport()) return kNoNumber;
+  const double y = compressibility_ - 1;
+  const double b = 4 * packing_fraction_;
+  return dilute_viscosity(temperature) * b * (1 / y + 0.8 + 0.7614 * y);
+}
+
 double FluidTheory::viscosity(double temperature) const {
   struct Point {
     double packing_fraction;
     double ratio;
   };
   constexpr std::array<Point, 5> kRatio{{{0, 1}, {0.35, 1.03}, {0.41, 1.1}, {0.46, 1.4}, {0.494, 2}}};
-  const double diameter = 2 * species_.radius(0);
-  const double y = compressibility_ - 1;
-  const double b = 4 * packing_fraction_;
-  const double dilute = 0.17914 * std::sqrt(species_.mass(0) * temperature) / (diameter * diameter);
   std::size_t next = 1;
   while (next + 1 < kRatio.size() && kRatio[next].packing_fraction < packing_fraction_) ++next;
   const Point& low = kRatio[next - 1];
   const Point& high = kRatio[next];
   const double share =
       (packing_fraction_ - low.packing_fraction) / (high.packing_fraction - low.packing_fraction);
-  return dilute * b * (1 / y + 0.8 + 0.7614 * y) * (low.ratio + share * (high.ratio - low.ratio));
+  return enskog_viscosity(temperature) * (low.ratio + share * (high.ratio - low.ratio));
+}
+
+double FluidTheory::enskog_bulk_viscosity(double temperature) const {
+  if (!has_transport()) return kNoNumber;
+  return dilute_viscosity(temperature) * 4 * packing_fraction_ * 1.002 * (compressibility_ - 1);
+}
+
+double FluidTheory::enskog_thermal_conductivity(double temperature) const {
+  if (!has_transport()) return kNoNumber;
+  const double diameter = 2 * species_.radius(0);
+  const double dilute = 0.67783 * std::sqrt(temperature / species_.mass(0)) / (diameter * diameter);
+  const double y = compressibility_ - 1;
+  return dilute * 4 * packing_fraction_ * (1 / y + 1.2 + 0.7574 * y);
 }
 
 double FluidTheory::diffusion(double temperature) const {
-  if (!species_.is_one_kind() || !holds_ || is_flat_) return kNoNumber;
+  if (!has_transport()) return kNoNumber;
   constexpr double kSpheresOfSpeedy = 500;
-  constexpr double kCubicLattice = 2.837297;
   const double diameter = 2 * species_.radius(0);
   const double reduced = density_ * diameter * diameter * diameter;
   const double dilute =
       3 * std::sqrt(temperature / (kPi * species_.mass(0))) / (8 * density_ * diameter * diameter);
   const double of_speedy =
       dilute * (1 - reduced / 1.09) * (1 + reduced * reduced * (0.4 - 0.83 * reduced * reduced));
-  const double shorter = std::cbrt(density_ / kSpheresOfSpeedy) - std::cbrt(density_ / spheres());
-  return of_speedy + kCubicLattice * temperature / (6 * kPi * viscosity(temperature)) * shorter;
+  return of_speedy + diffusion_missing(temperature) * (std::cbrt(spheres() / kSpheresOfSpeedy) - 1);
+}
+
+double FluidTheory::diffusion_missing(double temperature) const {
+  if (!has_transport()) return kNoNumber;
+  constexpr double kCubicLattice = 2.837297;
+  const double inverse_edge = std::cbrt(density_ / spheres());
+  return kCubicLattice * temperature / (6 * kPi * viscosity(temperature)) * inverse_edge;
 }
 
 }  // namespace hardball

@@ -29,6 +29,11 @@ class FluidTheory {
 
   /// By which fraction diffusion() may be off [1].
   static constexpr double kDiffusionTolerance = 0.05;
+  /// By which fractions viscosity(), enskog_bulk_viscosity() and enskog_thermal_conductivity() may be off
+  /// [1].
+  static constexpr double kViscosityTolerance = 0.05;
+  static constexpr double kBulkViscosityTolerance = 0.15;
+  static constexpr double kThermalConductivityTolerance = 0.07;
 
   /// Of no fluid; holds for none.
   FluidTheory() = default;
@@ -63,6 +68,20 @@ class FluidTheory {
   /// Hummer, J. Phys. Chem. B 108 (2004) 15873, with the viscosity of Enskog's theory, in dense fluids
   /// corrected by Alder, Gass and Wainwright, J. Chem. Phys. 53 (1970) 3813.
   double diffusion(double temperature) const;
+  /// By how much the diffusion constant of an infinite system is larger than that in this box, a cube [L^2
+  /// T^-1]; NaN for mixtures, and for discs. Source: Yeh and Hummer, likewise.
+  double diffusion_missing(double temperature) const;
+  /// Viscosity of equal spheres by Enskog's theory [M L^-1 T^-1]; NaN for mixtures, and for discs. Source:
+  /// Chapman and Cowling, section 16.41, with the higher orders of the dilute gas.
+  double enskog_viscosity(double temperature) const;
+  /// The same times what simulations find it to be off: within kViscosityTolerance. Source: Alder, Gass and
+  /// Wainwright, likewise.
+  double viscosity(double temperature) const;
+  /// Bulk viscosity, likewise [M L^-1 T^-1]; zero for a dilute gas. Source: Chapman and Cowling, likewise.
+  double enskog_bulk_viscosity(double temperature) const;
+  /// Thermal conductivity over Boltzmann's constant, likewise [L^-1 T^-1]. Source: Chapman and Cowling,
+  /// section 16.42.
+  double enskog_thermal_conductivity(double temperature) const;
 
  private:
   friend class Persistence;
@@ -76,7 +95,10 @@ class FluidTheory {
   double fixed_number() const;
   double fixed_energy() const;
   double contact_value_of_many(std::size_t a, std::size_t b) const;
-  double viscosity(double temperature) const;
+  // Whether there is a theory of transport: equal spheres in a fluid.
+  bool has_transport() const { return species_.is_one_kind() && holds_ && !is_flat_; }
+  // What the dilute gas has of viscosity [M L^-1 T^-1].
+  double dilute_viscosity(double temperature) const;
 
   SpeciesList species_;
   bool is_flat_ = false;

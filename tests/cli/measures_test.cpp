@@ -46,6 +46,7 @@ TEST_F(MeasuredRun, WritesAllMeasuresIntoItsDirectoryAndChangesNothing) {
   EXPECT_FALSE(exists("measures/structure_factor.csv"));
   for (const std::string_view name : measure_names()) {
     if (name == "structure_factor" || name == "wall_forces" || name == "flow_profiles") continue;
+    if (name == "diffusion") break;  // from here on those of transport, which are taken by name
     const std::string table = read_text(folder_ / "out" / "measures" / (std::string(name) + ".csv"));
     EXPECT_NE(table.find("]"), std::string::npos) << name;
     EXPECT_LT(table.find("["), table.find("\n")) << name;

@@ -130,6 +130,20 @@ TEST(Scenario, GrowingSpheresReachTheirPackingFraction) {
   EXPECT_NEAR(change, given, 1e-9 * summary["growth"]["work"].get<double>());
 }
 
+TEST(Scenario, TransportIsThatOfEnskog) {
+  const ScratchFolder folder;
+  const Outcome outcome =
+      run_program(folder, {"run", path_of("transport"), "--out", "out", "--set", "run.until=60"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
+  const std::string quantities = support::read_text(folder / "out" / "measures" / "quantities.csv");
+  for (const std::string name :
+       {"diffusion,diffusion_constant_of_infinite_system", "viscosity,viscosity_over_enskog",
+        "bulk_viscosity,bulk_viscosity_lag", "thermal_conductivity,thermal_conductivity"})
+    EXPECT_NE(quantities.find("\n" + name + ","), std::string::npos) << name << "\n" << quantities;
+  EXPECT_NE(support::read_text(folder / "out" / "report.html").find("Thermal conductivity"),
+            std::string::npos);
+}
+
 TEST(Scenario, DiluteGasHasThePressureOfTheory) {
   // Carnahan and Starling at a packing fraction of 0.01. The virial of 7,000 collisions scatters by about 1%.
   EXPECT_NEAR(run("dilute_gas")["compressibility"].get<double>() - 1, 0.0410, 4 * 0.0410 / std::sqrt(7000));

@@ -71,7 +71,7 @@ TEST(Formula, ShowsUnknownCommandsByName) {
 }
 
 void expect_set(const World& world) {
-  Measures measures;
+  Measures measures({.names = {measure_names().begin(), measure_names().end()}});
   measures.sample(world, Time(0));
   const std::vector<Measurement> all = measures.results(world, Time(0));
   EXPECT_EQ(all.size(), measure_names().size());

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/estimate.hpp"
+
+namespace hardball {
+
+/// How the mean square of a moment grows with the lag, and the rate that it reaches: by Helfand's formulas a
+/// transport coefficient.
+///
+/// The moment comes in increments over equal times. Two of them make one of twice the lag, these again, level
+/// by level; those of a level overlap by half. Of a level are kept the mean squares M of its increments and
+/// of their parts at the same times, so that the slope [M(2t) - M(t)] / t has the noise of one series.
+/// Source: Helfand, Phys. Rev. 119 (1960) 1; for the blocks Flyvbjerg and Petersen, J. Chem. Phys. 91 (1989)
+/// 461.
+class MomentLags {
+ public:
+  /// A slope at one lag.
+  struct Plateau {
+    Estimate slope = {};
+    double lag = 0;           ///< [T]; zero if there is none.
+    std::string reason = {};  ///< Why there is none; empty if there is one.
+  };
+
+  MomentLags() = default;
+  /// Increments are over `base` [T]. Squares are summed over the components with their `weights` [1]. Of a
+  /// moment that has a mean, and one component, the mean is removed.
+  MomentLags(double base, std::vector<double> weights, bool has_mean = false);
+
+  std::size_t components() const { return weights_.size(); }
+  double base() const { return base_; }
+  /// Adds the next increment, which ends at `time` [T]. Cost: O(components), on average twice.
+  void add(std::span<const double> increment, double time);
+
+  /// How many lags there are.
+  std::size_t levels() const { return levels_.size(); }
+  /// The lag from which to twice which the slope of a level is [T].
+  double lag(std::size_t level) const;
+  Estimate slope(std::size_t level) const;
+  /// The slope at the first lag from which three agree within their errors, or the last that is known. The
+  /// error consists of that of the mean, and of the change to the next lag as far as that is more than
+  /// chance. Lags are no shorter than `least_lag` [T], and the run is at least 32 times as long.
+  Plateau plateau(double least_lag) const;
+
+ private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.base_, self.weights_, self.has_mean_, self.levels_, self.elapsed_);
+  }
+  bool restored() const;
+
+  // Bins of the averages: over increments of twice the lag, the square, by how much it exceeds the mean
+  // square of the two parts, and the increment itself.
+  static constexpr std::size_t kSquare = 0;
+  static constexpr std::size_t kExcess = 1;
+  static constexpr std::size_t kIncrement = 2;
+  static constexpr std::size_t kBins = 3;
+
+  struct Level {
+    std::vector<double> held;  // the increment with which the next makes one of twice the lag
+    std::uint64_t count = 0;   // of increments
+    BlockAverage average{kBins};
+    static void persist(auto& archive, auto& self) { archive(self.held, self.count, self.average); }
+  };
+
+  double square_of(std::span<const double> increment) const;
+
+  double base_ = 1;
+  std::vector<double> weights_;
+  bool has_mean_ = false;
+  std::vector<Level> levels_;
+  double elapsed_ = 0;
+};
+
+}  // namespace hardball

@@ -1,0 +1,385 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/transport.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "hardball/measure/sampling_schedule.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/theory/no_number.hpp"
+
+namespace hardball {
+namespace {
+
+using Rates = CollectiveMoment::Sums;
+
+// What a moment gains per time by the flight of one sphere, and by one collision.
+using FlightOf = void (*)(const TransportConditions&, double mass, const Vec3& velocity, std::size_t species,
+                          Rates& rates);
+using TransferOf = void (*)(const TransportConditions&, const Contact& contact, Rates& jump);
+
+// A coefficient: how its moment is made, and what is known about it.
+struct Kind {
+  const char* title;
+  const char* formula;
+  const char* quantity;
+  const char* unit;
+  Rates weights;  // of squares; those in two dimensions differ
+  Rates weights_of_discs;
+  bool has_mean;
+  FlightOf flight;
+  TransferOf transfer;
+  // By which the slope is multiplied.
+  double (*scale)(const TransportConditions&, double temperature);
+  // Enskog's theory, what is expected, and by which fraction that may be off.
+  double (*enskog)(const FluidTheory&, double temperature);
+  double (*expected)(const FluidTheory&, double temperature);
+  double tolerance;
+};
+
+void no_transfer(const TransportConditions&, const Contact&, Rates&) {}
+double no_theory(const FluidTheory&, double) {
+  return kNoNumber;
+}
+
+Vec3 momentum_of_second(const Contact& contact) {
+  return contact.second_mass * (contact.after.second - contact.before.second);
+}
+
+// xy, xz, yz, and half the differences of xx, yy and zz: of the square of each in turn an isotropic fluid has
+// as much.
+void add_deviator(const Vec3& a, const Vec3& b, Rates& sums) {
+  sums[0] += (a.x * b.y + a.y * b.x) / 2;
+  sums[1] += (a.x * b.z + a.z * b.x) / 2;
+  sums[2] += (a.y * b.z + a.z * b.y) / 2;
+  sums[3] += (a.x * b.x - a.y * b.y) / 2;
+  sums[4] += (a.y * b.y - a.z * b.z) / 2;
+  sums[5] += (a.z * b.z - a.x * b.x) / 2;
+}
+
+void shear_flight(const TransportConditions&, double mass, const Vec3& velocity, std::size_t, Rates& rates) {
+  add_deviator(mass * velocity, velocity, rates);
+}
+void shear_transfer(const TransportConditions&, const Contact& contact, Rates& jump) {
+  add_deviator(momentum_of_second(contact), contact.separation, jump);
+}
+
+void compression_flight(const TransportConditions& conditions, double mass, const Vec3& velocity, std::size_t,
+                        Rates& rates) {
+  rates[0] += mass * dot(velocity, velocity) / conditions.dimensions;
+}
+void compression_transfer(const TransportConditions& conditions, const Contact& contact, Rates& jump) {
+  jump[0] += dot(momentum_of_second(contact), contact.separation) / conditions.dimensions;
+}
+
+void heat_flight(const TransportConditions&, double mass, const Vec3& velocity, std::size_t, Rates& rates) {
+  const double energy = mass * dot(velocity, velocity) / 2;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) rates[axis] += energy * velocity[axis];
+}
+void heat_transfer(const TransportConditions& conditions, const Contact& contact, Rates& jump) {
+  const Vec3 mean = 0.5 * (contact.before.second + contact.after.second) - conditions.motion.drift;
+  const double energy = dot(momentum_of_second(contact), mean);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) jump[axis] += energy * contact.separation[axis];
+}
+
+void mixing_flight(const TransportConditions& conditions, double, const Vec3& velocity, std::size_t species,
+                   Rates& rates) {
+  const SpeciesList& all = conditions.species;
+  const double factor = species == 0 ? all.fraction(1) : -all.fraction(0);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) rates[axis] += factor * velocity[axis];
+}
+
+double per_volume_and_temperature(const TransportConditions& conditions, double temperature) {
+  return 1 / (2 * conditions.volume * temperature);
+}
+double of_heat(const TransportConditions& conditions, double temperature) {
+  return 1 / (2 * conditions.volume * temperature * temperature);
+}
+double of_mixing(const TransportConditions& conditions, double) {
+  const SpeciesList& all = conditions.species;
+  const auto spheres = static_cast<double>(all.count(0) + all.count(1));
+  return 1 / (2 * spheres * all.fraction(0) * all.fraction(1));
+}
+
+const Kind& kind_of(Coefficient coefficient) {
+  constexpr double kThird = 1.0 / 3;
+  static const std::array<Kind, 4> kKinds{{
+      {"Viscosity",
+       R"($\eta = \lim_{t \to \infty} \frac{\langle \Delta G_{ab}^2 \rangle}{2 V k T t}$, )"
+       R"($\Delta G_{ab} = \int \sum m v_a v_b\,dt + \sum_{\text{collisions}} r_a \Delta p_b$; )"
+       R"(mean over xy, xz, yz and the differences of the diagonal)",
+       "viscosity",
+       "M L^-1 T^-1",
+       {0.2, 0.2, 0.2, 2.0 / 15, 2.0 / 15, 2.0 / 15},
+       {0.5, 0, 0, 0.5, 0, 0},
+       false,
+       shear_flight,
+       shear_transfer,
+       per_volume_and_temperature,
+       [](const FluidTheory& theory, double t) { return theory.enskog_viscosity(t); },
+       [](const FluidTheory& theory, double t) { return theory.viscosity(t); },
+       FluidTheory::kViscosityTolerance},
+      {"Bulk viscosity",
+       R"($\kappa = \lim_{t \to \infty} \frac{\langle (\Delta G - \langle \Delta G \rangle)^2 \rangle}{2 V k T t}$, )"
+       R"($\Delta G$: a third of the trace of $\Delta G_{ab} = \int \sum m v_a v_b\,dt + )"
+       R"(\sum_{\text{collisions}} r_a \Delta p_b$)",
+       "bulk_viscosity",
+       "M L^-1 T^-1",
+       {1, 0, 0, 0, 0, 0},
+       {1, 0, 0, 0, 0, 0},
+       true,
+       compression_flight,
+       compression_transfer,
+       per_volume_and_temperature,
+       [](const FluidTheory& theory, double t) { return theory.enskog_bulk_viscosity(t); },
+       [](const FluidTheory& theory, double t) { return theory.enskog_bulk_viscosity(t); },
+       FluidTheory::kBulkViscosityTolerance},
+      {"Thermal conductivity",
+       R"($\lambda = \lim_{t \to \infty} \frac{\langle \Delta Q_a^2 \rangle}{2 V k T^2 t}$, in units of )"
+       R"($k$; $\Delta Q_a = \int \sum \frac12 m v^2 v_a\,dt + \sum_{\text{collisions}} r_a \Delta E_j$)",
+       "thermal_conductivity",
+       "L^-1 T^-1",
+       {kThird, kThird, kThird, 0, 0, 0},
+       {0.5, 0.5, 0, 0, 0, 0},
+       false,
+       heat_flight,
+       heat_transfer,
+       of_heat,
+       [](const FluidTheory& theory, double t) { return theory.enskog_thermal_conductivity(t); },
+       [](const FluidTheory& theory, double t) { return theory.enskog_thermal_conductivity(t); },
+       FluidTheory::kThermalConductivityTolerance},
+      {"Mutual diffusion",
+       R"($D_{12} = \lim_{t \to \infty} \frac{\langle |x_2 \sum_1 \Delta \mathbf{r} - x_1 \sum_2 \Delta )"
+       R"(\mathbf{r}|^2 \rangle}{2 d N x_1 x_2 t}$ in $d$ dimensions, of Maxwell and Stefan)",
+       "mutual_diffusion_constant",
+       "L^2 T^-1",
+       {kThird, kThird, kThird, 0, 0, 0},
+       {0.5, 0.5, 0, 0, 0, 0},
+       false,
+       mixing_flight,
+       no_transfer,
+       of_mixing,
+       no_theory,
+       no_theory,
+       0},
+  }};
+  return kKinds[static_cast<std::size_t>(coefficient)];
+}
+
+constexpr const char* kSource =
+    "Helfand, Phys. Rev. 119 (1960) 1; Alder, Gass and Wainwright, J. Chem. Phys. 53 (1970) 3813; Enskog: "
+    "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, chapter 16";
+
+// After so many mean free times what is left of correlations decays slowly: of all spheres together, and of
+// single ones, whose velocities last longer.
+constexpr double kLeastFreeTimes = 8;
+constexpr double kLeastFreeTimesOfOne = 16;
+
+std::string obstacle_of(const Scene& scene) {
+  const World& world = scene.world();
+  for (std::size_t axis = 0; axis < world.box().dimensions(); ++axis)
+    if (!world.box().is_periodic(axis)) return "transport is measured where all axes are periodic";
+  if (!world.surfaces().empty() || !world.motion().is_straight())
+    return "transport is measured without walls and gravity";
+  if (!world.interactions().are_elastic()) return "transport is measured of elastic spheres";
+  if (world.size() < 2 || !(scene.thermal_motion().energy > 0)) return "nothing moves";
+  return "";
+}
+
+// The curve, what it ends in, and where that was read. `scale`: by which slopes are multiplied.
+void add_coefficient(Measurement& found, const MomentLags& lags, const TransportConditions& conditions,
+                     const Scene& scene, double least_free_times, double scale, Quantity quantity,
+                     double enskog) {
+  const std::string unit = quantity.unit;
+  Column lag{"lag", "T", ColumnRole::argument, {}};
+  Column value{quantity.name, unit, ColumnRole::value, {}};
+  Column error{quantity.name + "_error", unit, ColumnRole::error, {}};
+  for (std::size_t level = 0; level < lags.levels(); ++level) {
+    const Estimate slope = lags.slope(level);
+    if (std::isnan(slope.value)) continue;
+    lag.values.push_back(lags.lag(level));
+    value.values.push_back(scale * slope.value);
+    error.values.push_back(scale * slope.error);
+  }
+  quantity.reason = conditions.objection(scene);
+  MomentLags::Plateau plateau;
+  if (quantity.reason.empty()) {
+    plateau = lags.plateau(least_free_times * conditions.mean_free_time);
+    quantity.reason = plateau.reason;
+    quantity.value = scale * plateau.slope.value;
+    quantity.error = scale * plateau.slope.error;
+  }
+  const std::string name = quantity.name;
+  Quantity relative{name + "_over_enskog",    "1",
+                    quantity.value / enskog,  quantity.error / enskog,
+                    quantity.theory / enskog, quantity.tolerance / enskog,
+                    quantity.reason};
+  found.quantities.push_back(std::move(quantity));
+  if (!std::isnan(enskog)) found.quantities.push_back(std::move(relative));
+  if (plateau.lag > 0) found.quantities.push_back({name + "_lag", "T", plateau.lag});
+  found.is_logarithmic_in_argument = true;
+  if (!lag.values.empty()) found.columns = {std::move(lag), std::move(value), std::move(error)};
+}
+
+}  // namespace
+
+TransportConditions::TransportConditions(const Scene& scene)
+    : obstacle(obstacle_of(scene)),
+      motion(scene.thermal_motion()),
+      theory(scene.fluid()),
+      species(scene.species()),
+      volume(scene.world().box().volume()),
+      dimensions(static_cast<double>(scene.world().box().dimensions())),
+      mean_free_time(hardball::mean_free_time(scene.statistics())),
+      begin(scene.now()) {}
+
+std::string TransportConditions::objection(const Scene& scene) const {
+  if (!obstacle.empty()) return obstacle;
+  if (dimensions == 2) return "in two dimensions it grows with the size of the system";
+  if (!scene.has_equilibrium(motion)) return "the energy has changed since the start";
+  return "";
+}
+
+template <Coefficient kCoefficient>
+CollectiveTransport<kCoefficient>::CollectiveTransport(const Scene& scene, double base) : conditions_(scene) {
+  const Kind& kind = kind_of(kCoefficient);
+  const SpeciesList& species = conditions_.species;
+  if (conditions_.obstacle.empty() && kCoefficient == Coefficient::thermal_conductivity &&
+      !species.is_one_kind())
+    conditions_.obstacle = "the thermal conductivity is measured of spheres of one kind";
+  if (conditions_.obstacle.empty() && kCoefficient == Coefficient::mutual_diffusion && species.size() != 2)
+    conditions_.obstacle = "mutual diffusion is measured of two species";
+  const Rates& weights = conditions_.dimensions == 2 ? kind.weights_of_discs : kind.weights;
+  const double free_time = expected_pace(scene.statistics()).free_time;
+  const double interval = conditions_.obstacle.empty() ? power_of_two_from(base * free_time) : 1;
+  moment_ = CollectiveMoment(
+      scene.now(), MomentLags(interval, std::vector<double>(weights.begin(), weights.end()), kind.has_mean));
+  if (!conditions_.obstacle.empty()) return;
+  const World& world = scene.world();
+  world.for_each_by_id([&](Slot slot) {
+    contribute(world.mass(slot), world.velocity(slot, scene.now()), species.of(world.id(slot)), 1);
+  });
+}
+
+template <Coefficient kCoefficient>
+void CollectiveTransport<kCoefficient>::contribute(double mass, const Vec3& velocity, std::size_t species,
+                                                   double sign) {
+  Rates flight{};
+  kind_of(kCoefficient).flight(conditions_, mass, velocity - conditions_.motion.drift, species, flight);
+  for (std::size_t k = 0; k < flight.size(); ++k) moment_.rates[k] += sign * flight[k];
+}
+
+template <Coefficient kCoefficient>
+void CollectiveTransport<kCoefficient>::note(const Contact& contact) {
+  if (!conditions_.obstacle.empty() || !contact.is_collision()) return;
+  moment_.advance(contact.time);
+  const std::size_t first = conditions_.species.of(contact.first);
+  const std::size_t second = conditions_.species.of(contact.second);
+  contribute(contact.first_mass, contact.before.first, first, -1);
+  contribute(contact.first_mass, contact.after.first, first, 1);
+  contribute(contact.second_mass, contact.before.second, second, -1);
+  contribute(contact.second_mass, contact.after.second, second, 1);
+  Rates jump{};
+  kind_of(kCoefficient).transfer(conditions_, contact, jump);
+  moment_.jump(jump);
+}
+
+template <Coefficient kCoefficient>
+void CollectiveTransport<kCoefficient>::note(const VelocityChange& change) {
+  if (!conditions_.obstacle.empty()) return;
+  moment_.advance(change.time);
+  const std::size_t species = conditions_.species.of(change.sphere);
+  contribute(change.mass, change.before, species, -1);
+  contribute(change.mass, change.after, species, 1);
+}
+
+template <Coefficient kCoefficient>
+Measurement CollectiveTransport<kCoefficient>::result(const Scene& scene) const {
+  const Kind& kind = kind_of(kCoefficient);
+  Measurement found{
+      .name = std::string(kName), .title = kind.title, .formula = kind.formula, .source = kSource};
+  const MomentLags lags = conditions_.obstacle.empty() ? moment_.lags_at(scene.now()) : moment_.lags();
+  const double temperature = conditions_.motion.temperature();
+  const double expected = kind.expected(conditions_.theory, temperature);
+  const double scale = conditions_.obstacle.empty() ? kind.scale(conditions_, temperature) : kNoNumber;
+  add_coefficient(
+      found, lags, conditions_, scene, kLeastFreeTimes, scale,
+      {.name = kind.quantity, .unit = kind.unit, .theory = expected, .tolerance = kind.tolerance * expected},
+      kind.enskog(conditions_.theory, temperature));
+  return found;
+}
+
+template class CollectiveTransport<Coefficient::viscosity>;
+template class CollectiveTransport<Coefficient::bulk_viscosity>;
+template class CollectiveTransport<Coefficient::thermal_conductivity>;
+template class CollectiveTransport<Coefficient::mutual_diffusion>;
+
+SelfDiffusion::SelfDiffusion(const Scene& scene, double interval) : conditions_(scene) {
+  constexpr std::size_t kMostFollowed = 1000;
+  if (conditions_.obstacle.empty() && !conditions_.species.is_one_kind())
+    conditions_.obstacle = "diffusion is measured of spheres of one kind";
+  const std::size_t spheres = scene.world().size();
+  const std::size_t followed = conditions_.obstacle.empty() ? std::min(spheres, kMostFollowed) : 0;
+  for (std::size_t k = 0; k < followed; ++k) ranks_.push_back(k * spheres / followed);
+  centers_.resize(followed);
+  lags_ = MomentLags(interval, std::vector<double>(kAxes * followed, 1.0 / static_cast<double>(followed)));
+}
+
+void SelfDiffusion::sample(const Scene& scene) {
+  if (ranks_.empty()) return;
+  const double elapsed = duration(conditions_.begin, scene.now());
+  // Sums of times are rounded.
+  constexpr double kRounding = 1e-6;
+  const double late = elapsed - static_cast<double>(samples_) * lags_.base();
+  if (std::fabs(late) > kRounding * lags_.base()) return;
+  std::vector<double> increment(kAxes * ranks_.size());
+  for (std::size_t k = 0; k < ranks_.size(); ++k) {
+    const Vec3 center = scene.unfolded_center(scene.world().slot_of_rank(ranks_[k]));
+    const Vec3 moved = center - centers_[k] - lags_.base() * conditions_.motion.drift;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) increment[kAxes * k + axis] = moved[axis];
+    centers_[k] = center;
+  }
+  if (samples_ > 0) lags_.add(increment, elapsed);
+  ++samples_;
+}
+
+Measurement SelfDiffusion::result(const Scene& scene) const {
+  Measurement found{
+      .name = std::string(kName),
+      .title = "Diffusion",
+      .formula =
+          R"($D = \lim_{t \to \infty} \frac{\langle |\Delta \mathbf{r}|^2 \rangle}{2 d t}$ in $d$ dimensions; )"
+          R"(of an infinite system $D_\infty = D + 2.837\,\frac{kT}{6 \pi \eta L}$ in a cube of edge $L$)",
+      .source =
+          "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; theory: Speedy, Mol. Phys. 62 "
+          "(1987) 509; infinite system: Yeh and Hummer, J. Phys. Chem. B 108 (2004) 15873"};
+  const FluidTheory& theory = conditions_.theory;
+  const double temperature = conditions_.motion.temperature();
+  const double expected = theory.diffusion(temperature);
+  add_coefficient(found, lags_, conditions_, scene, kLeastFreeTimesOfOne, 1 / (2 * conditions_.dimensions),
+                  {.name = "diffusion_constant",
+                   .unit = "L^2 T^-1",
+                   .theory = expected,
+                   .tolerance = FluidTheory::kDiffusionTolerance * expected},
+                  theory.enskog_diffusion(temperature));
+  const Quantity constant = found.quantities.front();
+  const Vec3& size = scene.world().box().size();
+  const double missing = theory.diffusion_missing(temperature);
+  if (size.x == size.y && size.y == size.z && !std::isnan(missing)) {
+    Quantity infinite = constant;
+    infinite.name = "diffusion_constant_of_infinite_system";
+    infinite.value += missing;
+    infinite.theory += missing;
+    found.quantities.push_back(std::move(infinite));
+  }
+  return found;
+}
+
+bool SelfDiffusion::matches(const World& world) const {
+  return std::ranges::all_of(ranks_, [&](std::size_t rank) { return rank < world.size(); });
+}
+
+}  // namespace hardball

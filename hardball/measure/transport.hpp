@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hardball/interaction/contact.hpp"
+#include "hardball/measure/collective_moment.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/moment_lags.hpp"
+#include "hardball/measure/scene.hpp"
+#include "hardball/theory/fluid_theory.hpp"
+#include "hardball/theory/species_list.hpp"
+#include "hardball/theory/thermal_motion.hpp"
+#include "hardball/world/velocity_change.hpp"
+
+namespace hardball {
+
+/// The coefficients of which all spheres together have one moment.
+enum class Coefficient : std::uint8_t { viscosity, bulk_viscosity, thermal_conductivity, mutual_diffusion };
+
+/// By the number of the coefficient.
+inline constexpr std::array<std::string_view, 4> kCoefficientNames{
+    "viscosity", "bulk_viscosity", "thermal_conductivity", "mutual_diffusion"};
+
+/// Increments of moments are over this fraction of the mean free time by default [1].
+inline constexpr double kMomentBase = 0.125;
+
+/// What transport is measured in: a fluid of elastic spheres in equilibrium, periodic along all axes.
+struct TransportConditions {
+  /// Of the world at the time of the scene.
+  explicit TransportConditions(const Scene& scene);
+
+  /// Why there is no coefficient; empty if there may be one.
+  std::string objection(const Scene& scene) const;
+
+  std::string obstacle;  ///< Why nothing is measured from the start on; empty if something is.
+  ThermalMotion motion;  ///< At the start.
+  FluidTheory theory;
+  SpeciesList species;
+  double volume = 0;  ///< [L^3], of discs [L^2]
+  double dimensions = 3;
+  double mean_free_time = 0;  ///< Expected [T].
+  Time begin;
+
+ private:
+  friend class Persistence;
+  template <Coefficient>
+  friend class CollectiveTransport;
+  friend class SelfDiffusion;
+  TransportConditions() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.obstacle, self.motion, self.theory, self.species, self.volume, self.dimensions,
+            self.mean_free_time, self.begin);
+  }
+};
+
+/// A transport coefficient of all spheres together, from a moment that each sphere contributes to as it
+/// flies, and each collision by what it carries from one center to the other. Source: Helfand, Phys. Rev. 119
+/// (1960) 1; Alder, Gass and Wainwright, J. Chem. Phys. 53 (1970) 3813.
+template <Coefficient kCoefficient>
+class CollectiveTransport {
+ public:
+  static constexpr std::string_view kName = kCoefficientNames[static_cast<std::size_t>(kCoefficient)];
+  static constexpr bool kIsByName = true;
+  static constexpr std::uint32_t kSinceVersion = 6;
+
+  /// Starts at the time of the scene; increments are over `base` of the mean free time, or up to twice as
+  /// long [1]. Cost: O(n).
+  explicit CollectiveTransport(const Scene& scene, double base = kMomentBase);
+
+  /// Cost: O(1).
+  void note(const Contact& contact);
+  void note(const VelocityChange& change);
+  /// The result up to the time of the scene.
+  Measurement result(const Scene& scene) const;
+
+  const MomentLags& lags() const { return moment_.lags(); }
+
+ private:
+  friend class Persistence;
+  CollectiveTransport() = default;
+  static void persist(auto& archive, auto& self) { archive(self.conditions_, self.moment_); }
+
+  // Adds what a sphere contributes to the rates, or takes it away.
+  void contribute(double mass, const Vec3& velocity, std::size_t species, double sign);
+
+  TransportConditions conditions_;
+  CollectiveMoment moment_;
+};
+
+using Viscosity = CollectiveTransport<Coefficient::viscosity>;
+using BulkViscosity = CollectiveTransport<Coefficient::bulk_viscosity>;
+using ThermalConductivity = CollectiveTransport<Coefficient::thermal_conductivity>;
+using MutualDiffusion = CollectiveTransport<Coefficient::mutual_diffusion>;
+
+/// The diffusion constant of single spheres, of up to a thousand that are followed.
+class SelfDiffusion {
+ public:
+  static constexpr std::string_view kName = "diffusion";
+  static constexpr bool kIsByName = true;
+  static constexpr std::uint32_t kSinceVersion = 6;
+  /// Samples are a mean free time apart throughout, as every increment is needed.
+  static constexpr bool kSamplesSteadily = true;
+
+  /// Starts at the time of the scene; samples are `interval` apart [T]. Cost: O(n).
+  SelfDiffusion(const Scene& scene, double interval);
+
+  /// A sample that is not an interval later than the last is ignored. Cost: 60 ns for each sphere followed.
+  void sample(const Scene& scene);
+  Measurement result(const Scene& scene) const;
+
+ private:
+  friend class Persistence;
+  SelfDiffusion() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.conditions_, self.ranks_, self.centers_, self.samples_, self.lags_);
+  }
+  bool restored() const {
+    return centers_.size() == ranks_.size() && lags_.components() == kAxes * ranks_.size();
+  }
+
+ public:
+  /// Whether it can continue with this world; false only if its state is damaged.
+  bool matches(const World& world) const;
+
+ private:
+  TransportConditions conditions_;
+  std::vector<std::size_t> ranks_;  // of those followed, among all spheres by id
+  std::vector<Vec3> centers_;       // at the last sample, followed through periodic boundaries
+  std::uint64_t samples_ = 0;
+  MomentLags lags_;
+};
+
+}  // namespace hardball
