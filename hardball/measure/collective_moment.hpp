@@ -58,9 +58,15 @@ class CollectiveMoment {
   static void persist(auto& archive, auto& self) {
     archive(self.begin_, self.last_, self.lags_, self.rates, self.increment_, self.ended_);
   }
-  bool restored() const { return lags_.components() == kComponents; }
+  bool restored() const {
+    const bool is_in_order = (ended_ == 0 || !(last_ < end_of(ended_))) && last_ < next_end();
+    return lags_.components() == kComponents && is_in_order;
+  }
 
-  Time next_end() const { return Time(begin_.value() + static_cast<double>(ended_ + 1) * lags_.base()); }
+  Time end_of(std::uint64_t increments) const {
+    return Time(begin_.value() + static_cast<double>(increments) * lags_.base());
+  }
+  Time next_end() const { return end_of(ended_ + 1); }
   void carry(double elapsed) {
     for (std::size_t k = 0; k < kComponents; ++k) increment_[k] += rates[k] * elapsed;
   }

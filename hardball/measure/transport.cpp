@@ -379,7 +379,8 @@ Measurement SelfDiffusion::result(const Scene& scene) const {
 }
 
 bool SelfDiffusion::matches(const World& world) const {
-  return std::ranges::all_of(ranks_, [&](std::size_t rank) { return rank < world.size(); });
+  return conditions_.species.matches(world) &&
+         std::ranges::all_of(ranks_, [&](std::size_t rank) { return rank < world.size(); });
 }
 
 }  // namespace hardball

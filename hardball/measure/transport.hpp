@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -81,11 +82,20 @@ class CollectiveTransport {
   Measurement result(const Scene& scene) const;
 
   const MomentLags& lags() const { return moment_.lags(); }
+  /// Whether it can continue with this world; false only if its state is damaged.
+  bool matches(const World& world) const { return conditions_.species.matches(world); }
 
  private:
   friend class Persistence;
   CollectiveTransport() = default;
   static void persist(auto& archive, auto& self) { archive(self.conditions_, self.moment_); }
+  bool restored() const {
+    // Shorter increments would take forever.
+    constexpr double kShortest = 0x1p-30;
+    const double free_time = conditions_.mean_free_time;
+    return !conditions_.obstacle.empty() || !std::isfinite(free_time) ||
+           moment_.lags().base() >= kShortest * free_time;
+  }
 
   // Adds what a sphere contributes to the rates, or takes it away.
   void contribute(double mass, const Vec3& velocity, std::size_t species, double sign);
@@ -114,6 +124,8 @@ class SelfDiffusion {
   /// A sample that is not an interval later than the last is ignored. Cost: 60 ns for each sphere followed.
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
+  /// Whether it can continue with this world; false only if its state is damaged.
+  bool matches(const World& world) const;
 
  private:
   friend class Persistence;
@@ -125,11 +137,6 @@ class SelfDiffusion {
     return centers_.size() == ranks_.size() && lags_.components() == kAxes * ranks_.size();
   }
 
- public:
-  /// Whether it can continue with this world; false only if its state is damaged.
-  bool matches(const World& world) const;
-
- private:
   TransportConditions conditions_;
   std::vector<std::size_t> ranks_;  // of those followed, among all spheres by id
   std::vector<Vec3> centers_;       // at the last sample, followed through periodic boundaries
