@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 namespace hardball {
 namespace {
@@ -45,8 +44,17 @@ class Shell {
 
   // The first ring that is not below a height.
   std::size_t from(double height) const {
-    const auto all = std::views::iota(std::size_t{0}, rings_);
-    return *std::ranges::partition_point(all, [&](std::size_t k) { return ring(k).height < height; });
+    std::size_t low = 0;
+    std::size_t high = rings_;
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      if (ring(middle).height < height) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
   }
 
  private:
