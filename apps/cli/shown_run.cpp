@@ -13,6 +13,7 @@
 #include "hardball/errors/error.hpp"
 
 namespace hardball::cli {
+
 ShownRun::ShownRun(const Options& options, std::uint64_t most_bytes) {
   if (std::filesystem::is_directory(options.scenario)) {
     open_directory(options);
