@@ -55,11 +55,20 @@ void let_run_on(const int*, std::size_t) {}
 }  // namespace
 
 ThreadTeam::ThreadTeam(std::size_t threads) : size_(threads), processors_(processors_available()) {
-  for (std::size_t number = 1; number < threads; ++number)
-    workers_.emplace_back([this, number] { work(number); });
+  try {
+    for (std::size_t number = 1; number < threads; ++number)
+      workers_.emplace_back([this, number] { work(number); });
+  } catch (...) {
+    end();
+    throw;
+  }
 }
 
 ThreadTeam::~ThreadTeam() {
+  end();
+}
+
+void ThreadTeam::end() {
   ends_ = true;
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();

@@ -42,6 +42,7 @@ class ThreadTeam {
   };
 
  private:
+  void end();
   void work(std::size_t number);
   void pin(std::size_t number) const;
 

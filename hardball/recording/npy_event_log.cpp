@@ -63,8 +63,8 @@ NpyEventLog::NpyEventLog(const std::filesystem::path& path, const EventLogPositi
 NpyEventLog::~NpyEventLog() {
   try {
     if (size_ != counted_) close();
-  } catch (const RunFailure&) {
-    // The file keeps what was complete before.
+  } catch (...) {
+    // Without room on the disk or memory, the file keeps what was complete before.
   }
 }
 

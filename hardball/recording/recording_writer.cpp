@@ -188,8 +188,8 @@ std::string RecordingWriter::save() {
 RecordingWriter::~RecordingWriter() {
   try {
     if (!is_untouched_) close(state_.begin);
-  } catch (const RunFailure&) {
-    // The file keeps what was complete before.
+  } catch (...) {
+    // Without room on the disk or memory, the file keeps what was complete before.
   }
 }
 

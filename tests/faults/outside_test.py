@@ -85,7 +85,7 @@ class Outside(FaultTest):
     def test_memory_refused(self):
         refused = 0
         # With less the program cannot be loaded.
-        for megabytes in (*range(40, 72, 4), 128):
+        for megabytes in (*range(40, 80, 2), 128):
             with self.subTest(megabytes):
                 out = self.folder / f"memory_{megabytes}"
                 end = run(["run", "gas.toml", "--set", "spheres.0.count=30000", "--set", "spheres.0.radius=0.02",
