@@ -3,7 +3,6 @@
 #include "hardball/scenario/scenario.hpp"
 
 #include "fuzz/target.hpp"
-#include "hardball/scenario/make_responses.hpp"
 #include "hardball/scenario/make_world.hpp"
 
 void hardball::fuzz::read(std::string_view bytes) {

@@ -3,5 +3,5 @@
 #pragma once
 
 /// What happens when spheres touch: restitution, roughness, merging, passing, by pairs of species, or a
-/// function of the caller.
+/// function of the caller; and potentials of steps, which act before they touch.
 #include "hardball/interaction/interactions.hpp"

@@ -39,6 +39,8 @@ Scenario shared(Scenario scenario) {
   constexpr const char* kRemedy = "leave it out, or run it in one process";
   if (scenario.thermostat) throw Error("processes cannot share a thermostat", scenario.name, kRemedy);
   if (scenario.growth) throw Error("processes cannot share a growth", scenario.name, kRemedy);
+  if (scenario.has_steps())
+    throw Error("processes cannot share spheres with potentials of steps", scenario.name, kRemedy);
   if (scenario.recording) throw Error("processes cannot share a recording", scenario.name, kRemedy);
   const std::vector<std::string> by_default = MeasureSettings().names;
   if (!scenario.measures.names.empty() && scenario.measures.names != by_default)
@@ -282,6 +284,7 @@ class DistributedRun {
                            .windows = simulation_.window_counters(),
                            .sums = simulation_.sums(),
                            .totals = totals,
+                           .step_energy = 0,
                            .has_spins = simulation_.has_spins(),
                            .audit = simulation_.audit(),
                            .species_counts = species_counts,

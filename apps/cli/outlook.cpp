@@ -116,6 +116,7 @@ Scenario sampled_scenario(const Scenario& scenario, std::vector<SphereGroup> gro
   sampled.spheres = std::move(groups);
   sampled.walls.clear();
   sampled.obstacles.clear();
+  sampled.bonds.clear();
   for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
     sampled.box[axis] = {Boundary::periodic, edge};
   }

@@ -49,6 +49,19 @@ std::string describe(const PairDescription& pair) {
   return describe(pair.bounce);
 }
 
+std::string describe(const StepRules& rules) {
+  std::string text = rules.core == 0   ? "open core"
+                     : rules.core == 1 ? ""
+                                       : fmt::format("core at {:.4g}", rules.core);
+  for (const Step& step : rules.steps) {
+    if (!text.empty()) text += ", ";
+    text += rules.is_tether && &step == &rules.steps.back()
+                ? fmt::format("tether at {:.4g}", step.ratio)
+                : fmt::format("energy {:.4g} within {:.4g}", step.energy, step.ratio);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<ResponseText> response_texts(const Scenario& scenario) {
@@ -60,6 +73,18 @@ std::vector<ResponseText> response_texts(const Scenario& scenario) {
     const std::string who =
         pair.second ? first + " and " + scenario.species[*pair.second].name : first + " at walls";
     texts.push_back({who, describe(pair)});
+  }
+  for (const PotentialDescription& potential : scenario.potentials) {
+    const std::string who = potential.between ? scenario.species[potential.between->first].name + " and " +
+                                                    scenario.species[potential.between->second].name
+                                              : "all spheres";
+    texts.push_back({"potential of " + who, describe(potential.rules)});
+  }
+  for (const BondsDescription& bonds : scenario.bonds) {
+    const std::string who =
+        bonds.file ? "bonds in " + bonds.file->filename().string()
+                   : fmt::format("{} {}", bonds.pairs.size(), bonds.pairs.size() == 1 ? "bond" : "bonds");
+    texts.push_back({who, describe(bonds.rules)});
   }
   return texts;
 }

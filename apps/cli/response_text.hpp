@@ -9,13 +9,13 @@
 
 namespace hardball::cli {
 
-/// What becomes of spheres that touch, in words.
+/// What becomes of spheres that touch, or come to a step of a potential, in words.
 struct ResponseText {
-  std::string who;   ///< "all contacts", "drop and mist", "mist at walls".
-  std::string what;  ///< "bounce, restitution 0.9", "merge", "pass through each other".
+  std::string who;   ///< "all contacts", "drop and mist", "mist at walls", "potential of all spheres".
+  std::string what;  ///< "bounce, restitution 0.9", "merge", "energy -1 within 1.5".
 };
 
-/// The responses of a scenario: first that of all, then those of pairs.
+/// The responses of a scenario: first that of all, then those of pairs, potentials and bonds.
 std::vector<ResponseText> response_texts(const Scenario& scenario);
 
 /// How many spheres of each species of a scenario there are. Cost: O(n).

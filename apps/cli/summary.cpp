@@ -41,6 +41,7 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
           .windows = simulation.windows(),
           .sums = simulation.sums(),
           .totals = totals_of(world, simulation.now()),
+          .step_energy = world.step_energy(),
           .has_spins = world.has_spins(),
           .audit = audit(world, simulation.now()),
           .species_counts = species_counts(scenario, world),
@@ -65,6 +66,10 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
       windows_(state.windows),
       mergers_(state.sums.tally.mergers()),
       passes_(state.sums.tally.passes()),
+      has_steps_(state.world.has_steps()),
+      steps_passed_(state.sums.tally.steps_passed()),
+      steps_refused_(state.sums.tally.steps_refused()),
+      step_energy_(state.step_energy),
       hash_(state.sums.hash.value()),
       initial_energy_(state.sums.tally.initial_energy()),
       final_energy_(state.totals.energy.value()),
@@ -105,11 +110,16 @@ std::string Summary::json() const {
                     {"stale", counters_.stale}};
   if (mergers_ > 0) json["events"]["merger"] = mergers_;
   if (passes_ > 0) json["events"]["pass"] = passes_;
+  if (has_steps_) {
+    json["events"]["step_passed"] = steps_passed_;
+    json["events"]["step_refused"] = steps_refused_;
+  }
   for (const SpeciesCount& species : species_) json["species"][species.name] = species.spheres;
   json["predictions"] = counters_.predictions;
   json["event_log_hash"] = hash_text(hash_);
   json["energy"] = {{"initial", initial_energy_}, {"final", final_energy_}};
   if (std::isfinite(rotational_energy_)) json["energy"]["rotational"] = rotational_energy_;
+  if (has_steps_) json["energy"]["potential"] = step_energy_;
   json["momentum"] = {momentum_.x, momentum_.y, momentum_.z};
   json["max_overlap"] = max_overlap_;
   json["packing_fraction"] = number_or_null(packing_fraction_);
@@ -164,6 +174,7 @@ std::string Summary::table() const {
   add("collisions", fmt::format("{}", counters_.collision));
   if (mergers_ > 0) add("  mergers", fmt::format("{}", mergers_));
   if (passes_ > 0) add("  passes", fmt::format("{}", passes_));
+  if (has_steps_) add("  at steps", fmt::format("{} passed, {} refused", steps_passed_, steps_refused_));
   add("wall contacts", fmt::format("{}", counters_.wall));
   add("cells entered, left", fmt::format("{}, {}", counters_.enter, counters_.leave));
   add("stale events", fmt::format("{}", counters_.stale));
@@ -177,6 +188,7 @@ std::string Summary::table() const {
   add("energy", fmt::format("{:.10g} at the start, {:.10g} at the end", initial_energy_, final_energy_));
   if (std::isfinite(rotational_energy_))
     add("  of rotation", fmt::format("{:.10g} at the end", rotational_energy_));
+  if (has_steps_) add("  of potentials", fmt::format("{:.10g} at the end", step_energy_));
   add("momentum", fmt::format("{:.3g}, {:.3g}, {:.3g}", momentum_.x, momentum_.y, momentum_.z));
   add("deepest overlap", fmt::format("{:.2g} diameters", max_overlap_));
   add_if_meant(is_flat_ ? "area fraction" : "packing fraction", packing_fraction_);

@@ -32,6 +32,7 @@ struct FinalState {
   WindowCounters windows;
   ContactSums sums;
   Totals totals;
+  double step_energy = 0;  ///< [M L^2 T^-2]
   bool has_spins = false;
   Audit audit;
   std::vector<std::size_t> species_counts;  ///< As many as the scenario names.
@@ -90,6 +91,10 @@ class Summary {
   WindowCounters windows_;  // in the table alone: files do not depend on the number of threads
   std::uint64_t mergers_;
   std::uint64_t passes_;
+  bool has_steps_;
+  std::uint64_t steps_passed_;
+  std::uint64_t steps_refused_;
+  double step_energy_;
   std::vector<SpeciesCount> species_;
   std::uint64_t hash_;
   double initial_energy_;

@@ -137,6 +137,28 @@ class Candidates {
     end();
   }
 
+  /// As keep_if, for candidates that mean nearest images: is_wanted(slot) is a number, zero if the candidate
+  /// is removed. Branchless, as that is unpredictable.
+  template <class Predicate>
+  void keep_slots_if(Predicate&& is_wanted) {
+    if (size_ > room_) {
+      room_ = size_;
+      slots_.resize(room_ + kPadding);
+    }
+    const Slot* const all = slots();
+    Slot* const kept_slots = slots_.data();
+    const std::size_t count = size_;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Slot other = all[i];
+      kept_slots[kept] = other;
+      kept += is_wanted(other) ? 1U : 0U;
+    }
+    listed_ = nullptr;
+    size_ = kept;
+    end();
+  }
+
   /// Fills the padding. Call before the arrays are read.
   void end() { std::fill_n(slots_.data() + size_, kPadding, self_); }
 

@@ -22,7 +22,7 @@ std::int32_t divide_down(std::int32_t a, std::int32_t b) {
 void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) {
   cells_ = Subdivision(world.box(), wanted_edge_);
   refuse_tiny_cells(world);
-  const double largest = std::min(world.largest_radius(), largest_radius_);
+  const double largest = std::min(world.largest_bounding_radius(), largest_radius_);
   largest_built_ = std::min(world.room_to_grow() * largest, largest_radius_);
   if (!images_are_nearest()) largest_built_ = largest;
   nearest_ = images_are_nearest();
@@ -92,10 +92,11 @@ void CellGrid::refuse_tiny_cells(const World& world) const {
     cells += own;
   }
   if (cells <= kMaxCellsPerSphere * static_cast<double>(world.size())) return;
-  throw Error("with a cell edge of " + to_text(wanted_edge_) + " each sphere would lie in " +
-                  to_text(std::round(cells / static_cast<double>(world.size()))) + " cells",
-              "cell edge",
-              "give at least a fifth of the largest diameter, " + to_text(world.largest_radius() * 2 / 5));
+  throw Error(
+      "with a cell edge of " + to_text(wanted_edge_) + " each sphere would lie in " +
+          to_text(std::round(cells / static_cast<double>(world.size()))) + " cells",
+      "cell edge",
+      "give at least a fifth of the largest diameter, " + to_text(world.largest_bounding_radius() * 2 / 5));
 }
 
 bool CellGrid::images_are_nearest() const {

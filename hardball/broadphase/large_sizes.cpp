@@ -105,11 +105,12 @@ double LargeSizes::cells_of_surface(double radius, std::size_t dimensions) {
 }
 
 std::optional<LargeSizes> LargeSizes::in(const World& world, const Subdivision& cells) {
-  if (world.base_radii().is_common()) return std::nullopt;
+  // With potentials of steps spheres meet deep inside of regions, where shells do not look.
+  if (world.base_radii().is_common() || world.has_steps()) return std::nullopt;
   const auto in_blocks = if_they_pay(sizes_above(kLargestInCell, world, cells), world);
   const auto spheres = static_cast<double>(world.size());
   if (in_blocks && largest_in_edges(in_blocks->surfaces, spheres) == kLargestInCell) return in_blocks;
-  if (world.largest_radius() <= kLargestInRows * smallest_edge(cells)) return std::nullopt;
+  if (world.largest_bounding_radius() <= kLargestInRows * smallest_edge(cells)) return std::nullopt;
   const auto in_rows = if_they_pay(sizes_above(kLargestInRows, world, cells), world);
   return in_rows ? in_rows : in_blocks;
 }

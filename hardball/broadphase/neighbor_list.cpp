@@ -59,7 +59,7 @@ bool fits(const Box& box, double largest_radius) {
 }  // namespace
 
 bool NeighborList::supports(const World& world, double) {
-  return fits(world.box(), world.largest_radius());
+  return fits(world.box(), world.largest_bounding_radius());
 }
 
 double NeighborList::cell_edge(double largest_radius, double skin) {
@@ -68,8 +68,8 @@ double NeighborList::cell_edge(double largest_radius, double skin) {
 
 void NeighborList::build(const World& world, const Time& now, CompactPaths& copies) {
   HARDBALL_CHECK(supports(world));
-  const double grown = world.room_to_grow() * world.largest_radius();
-  const double radius = largest_built_ = fits(world.box(), grown) ? grown : world.largest_radius();
+  const double grown = world.room_to_grow() * world.largest_bounding_radius();
+  const double radius = largest_built_ = fits(world.box(), grown) ? grown : world.largest_bounding_radius();
   const double largest = (kLargestListShare * smallest_period(world.box()) - 2 * radius) / 4;
   skin_ = std::max(kLeastListSkin * radius, std::min(wanted_skin_, largest));
   // Without spheres any distance will do.

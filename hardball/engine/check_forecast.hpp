@@ -62,6 +62,13 @@ void validate(const Forecast& forecast) {
       HARDBALL_CHECK(covers(forecast, slot, contact, other) || covers(forecast, other, contact, slot) ||
                      is_found_in_time(forecast, other, contact, slot));
     }
+    for (const PairLevel& pair : world.pair_levels().of(slot)) {
+      const Image image = nearest_image(world, slot, pair.partner, forecast.now());
+      const Event event = make_collision(next_pair_event(world, slot, pair, image).time, world.id(slot),
+                                         world.id(pair.partner), image);
+      HARDBALL_CHECK(!event.happens() || covers(forecast, slot, event, pair.partner) ||
+                     covers(forecast, pair.partner, event, slot));
+    }
   }
 }
 

@@ -146,7 +146,10 @@ class Engine {
       forecast_.insert(slot);
     }
     try {
-      require_room(world, slot, is_admitted ? forecast_.overlapping(slot) : all_slots(world), moment);
+      const std::vector<Slot> all = is_admitted ? std::vector<Slot>() : all_slots(world);
+      const std::span<const Slot> others = is_admitted ? forecast_.overlapping(slot) : std::span(all);
+      require_room(world, slot, others, moment);
+      world.assign_levels(slot, others, moment);
     } catch (const Error&) {
       if (is_admitted) forecast_.erase(slot);
       world.undo_add();

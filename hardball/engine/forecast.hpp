@@ -14,6 +14,7 @@
 #include "hardball/engine/check_forecast.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/engine/run.hpp"
+#include "hardball/engine/slot_marks.hpp"
 #include "hardball/events/event_queue.hpp"
 #include "hardball/events/plan.hpp"
 #include "hardball/geometry/inlining.hpp"
@@ -117,7 +118,7 @@ class Forecast {
     if (!plan(slot).is_renewal()) {
       ++counters_.enter;
       phase_.cross(world_, slot, now_, compact_, candidates_);
-      if (has_passing_pairs_) exclude_passing(candidates_);
+      if (has_excluded_) exclude(candidates_);
       counters_.predictions += candidates_.size();
       counters_.enter_predictions += candidates_.size();
       if (is_stale(slot) && plan(slot).is_bound()) postpone(slot);
@@ -250,8 +251,8 @@ class Forecast {
   /// The spheres that one may meet.
   void collect(Slot slot, Candidates& candidates) const {
     phase_.collect(world_, slot, candidates);
-    if (has_passing_pairs_) [[unlikely]]
-      exclude_passing(candidates);
+    if (has_excluded_) [[unlikely]]
+      exclude(candidates);
   }
 
  private:
@@ -266,7 +267,10 @@ class Forecast {
                                : images_[slot];
   }
 
-  void exclude_passing(Candidates& candidates) const;
+  void exclude(Candidates& candidates) const;
+  void plan_pairs(Slot slot);
+  PairLevel first_in_order(Slot slot) const;
+  void note_exclusions();
 
   // Predicts contacts with new candidates, which come with their images, and keeps the planned contact if it
   // is earlier. Precondition: the planned contact is known.
@@ -317,6 +321,8 @@ class Forecast {
         own.lower_safe_until(wall.time.high);
       }
     }
+    if (has_steps_) [[unlikely]]
+      plan_pairs(slot);
     plan_crossing(slot);
   }
 
@@ -330,6 +336,8 @@ class Forecast {
       if (wall.happens() && wall.time < plan(slot).contact_time())
         mutable_plan(slot).set_wall(wall.time, wall.second);
     }
+    if (has_steps_) [[unlikely]]
+      plan_pairs(slot);
     plan_crossing(slot);
   }
 
@@ -388,9 +396,13 @@ class Forecast {
   bool has_walls_ = false;
   bool has_images_of_obstacles_ = false;
   bool has_passing_pairs_ = false;
+  bool has_steps_ = false;            // of potentials
+  bool has_excluded_ = false;         // some candidates must be left out: one of the two above
   Candidates candidates_;             // of the current sphere
   Candidates candidates_of_partner_;  // of the sphere that it meets
   PairContacts pairs_;                // of the current bucket
+  StepCandidates step_candidates_;    // of the current sphere
+  mutable SlotMarks::Table marks_of_pairs_;
   Counters counters_;
 };
 

@@ -18,7 +18,7 @@ void Forecast<Phase>::rebuild(const Time& now, const Progress& progress) {
   are_alike_ = world_.are_alike();
   has_walls_ = has_walls(world_);
   has_images_of_obstacles_ = has_images_of_obstacles(world_);
-  has_passing_pairs_ = world_.has_passing_pairs();
+  note_exclusions();
   for (Slot slot = 0; slot < world_.size(); ++slot) {
     progress.note(slot, world_.size());
     predict(slot);
@@ -31,7 +31,7 @@ void Forecast<Phase>::insert(Slot slot) {
   phase_.insert(world_, slot, now_, compact_);
   if (!uses_minimum_image_) images_.resize(std::max(images_.size(), world_.size()));
   are_alike_ = world_.are_alike();
-  has_passing_pairs_ = world_.has_passing_pairs();
+  note_exclusions();
 }
 
 template <BroadPhase Phase>
@@ -73,10 +73,30 @@ std::span<const Slot> Forecast<Phase>::overlapping(Slot slot) {
   return {candidates_.slots(), candidates_.size()};
 }
 
-// Leaves out the candidates that a sphere is passing through, or has just begun to.
 template <BroadPhase Phase>
-HARDBALL_NEVER_INLINE void Forecast<Phase>::exclude_passing(Candidates& candidates) const {
+void Forecast<Phase>::note_exclusions() {
+  has_passing_pairs_ = world_.has_passing_pairs();
+  has_steps_ = world_.has_steps();
+  has_excluded_ = has_passing_pairs_ || has_steps_;
+}
+
+// Leaves out the candidates that a sphere is passing through, or has just begun to, and those that are inside
+// of a step with it, which it knows by its pairs.
+template <BroadPhase Phase>
+HARDBALL_NEVER_INLINE void Forecast<Phase>::exclude(Candidates& candidates) const {
   const Slot slot = candidates.self();
+  if (has_steps_) {
+    SlotMarks marks(marks_of_pairs_);
+    bool are_all_marked = candidates.uses_minimum_image();
+    for (const PairLevel& pair : world_.pair_levels().of(slot))
+      are_all_marked = are_all_marked && marks.mark(pair.partner);
+    if (are_all_marked) {
+      candidates.keep_slots_if([&](Slot other) { return !marks.is_marked(other); });
+    } else {
+      candidates.keep_if([&](std::size_t i) { return !world_.pair_levels().find(slot, candidates.slot(i)); });
+    }
+  }
+  if (!has_passing_pairs_) return;
   candidates.keep_if([&](std::size_t i) {
     const Slot other = candidates.slot(i);
     if (!world_.pass(slot, other)) return true;
@@ -84,6 +104,42 @@ HARDBALL_NEVER_INLINE void Forecast<Phase>::exclude_passing(Candidates& candidat
         candidates.uses_minimum_image() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
     return !are_passing(world_, slot, other, image);
   });
+}
+
+// Plans the next event of a sphere with those that are inside of a step with it, if it comes before what is
+// planned.
+template <BroadPhase Phase>
+HARDBALL_NEVER_INLINE void Forecast<Phase>::plan_pairs(Slot slot) {
+  step_candidates_.collect(world_, slot);
+  counters_.predictions += step_candidates_.size();
+  const EarliestContact found = predictor_.earliest_step(world_, slot, step_candidates_, now_);
+  if (!(found.high < kNever.high)) return;
+  Plan& own = mutable_plan(slot);
+  if (own.is_bound() && own.contact() <= found.high) return own.lower_safe_until(found.high);
+  const PairLevel first = found.is_tied ? first_in_order(slot) : world_.pair_levels().of(slot)[found.index];
+  const Image image = nearest_image(world_, slot, first.partner, now_);
+  const Time time =
+      found.is_tied ? next_pair_event(world_, slot, first, image).time : Time{found.high, found.low};
+  if (!own.is_bound() && contact_of(slot) < make_collision(time, id(slot), id(first.partner), image)) return;
+  own.set_collision(time, first.partner, compact_.revision(first.partner));
+  if (!uses_minimum_image_) images_[slot] = image;
+}
+
+// Of the pairs of a sphere the one whose event comes first in the order of events. Precondition: there is
+// one.
+template <BroadPhase Phase>
+PairLevel Forecast<Phase>::first_in_order(Slot slot) const {
+  Event first;
+  PairLevel found;
+  for (const PairLevel& pair : world_.pair_levels().of(slot)) {
+    const Image image = nearest_image(world_, slot, pair.partner, now_);
+    const Event event =
+        make_collision(next_pair_event(world_, slot, pair, image).time, id(slot), id(pair.partner), image);
+    if (!(event < first)) continue;
+    first = event;
+    found = pair;
+  }
+  return found;
 }
 
 // The counter of revisions has wrapped around: old revisions must not pass for new ones.

@@ -20,6 +20,15 @@ Predictor::Predictor(InstructionSet instructions) : kernels_(&kernels_of(instruc
 
 void Predictor::compute(const World& world, const Time& now, PairContacts& pairs) const {
   if (pairs.count == 0) return;
+  if (world.has_steps()) {
+    for (std::size_t i = 0; i < pairs.count; ++i) {
+      const Image image = nearest_image(world, pairs.first[i], pairs.second[i], now);
+      const Time time = contact_time(world, pairs.first[i], pairs.second[i], image);
+      pairs.high[i] = time.high;
+      pairs.low[i] = time.low;
+    }
+    return;
+  }
   // The kernel computes whole vectors.
   std::fill_n(pairs.first.begin() + static_cast<std::ptrdiff_t>(pairs.count), kWidestVector, pairs.first[0]);
   std::fill_n(pairs.second.begin() + static_cast<std::ptrdiff_t>(pairs.count), kWidestVector,
@@ -79,11 +88,14 @@ PredictedContact Predictor::earliest_in_order(const World& world, const Candidat
   Event first;
   std::size_t index = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
+    // A sphere may be its own candidate, and never meets itself.
+    if (candidates.slot(i) == candidates.self()) continue;
     const Event contact = contact_with(world, candidates, i, now);
     if (!(contact < first)) continue;
     first = contact;
     index = i;
   }
+  if (!first.happens()) return {};
   return {first.time, candidates.slot(index),
           candidates.uses_minimum_image() ? Image{} : candidates.image(index)};
 }

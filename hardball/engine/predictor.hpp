@@ -9,6 +9,7 @@
 
 #include "hardball/bounds/compact_paths.hpp"
 #include "hardball/broadphase/candidates.hpp"
+#include "hardball/engine/step_candidates.hpp"
 #include "hardball/geometry/inlining.hpp"
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/world/world.hpp"
@@ -83,6 +84,8 @@ class Predictor {
   /// none. Precondition: `candidates` has been ended, and was collected at `now`.
   PredictedContact earliest(const World& world, const Candidates& candidates, const Time& now) const {
     if (candidates.size() == 0) return {};
+    if (world.has_steps()) [[unlikely]]
+      return earliest_in_order(world, candidates, now);
     const double* shifts[kAxes];
     if (!candidates.uses_minimum_image()) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) shifts[axis] = candidates.shifts(axis);
@@ -109,6 +112,22 @@ class Predictor {
     return {{found.high, found.low},
             candidates.slot(found.index),
             candidates.uses_minimum_image() ? Image{} : candidates.image(found.index)};
+  }
+
+  /// The earliest event of a sphere with those that are inside of a step with it, by time alone; if another
+  /// is as early, is_tied. Cost: O(size).
+  EarliestContact earliest_step(const World& world, Slot slot, const StepCandidates& candidates,
+                                const Time& now) const {
+    return kernels_->earliest_step({.paths = world.paths().data(),
+                                    .self = slot,
+                                    .others = candidates.slots(),
+                                    .inner = candidates.inner(),
+                                    .outer = candidates.outer(),
+                                    .count = candidates.size(),
+                                    .period = &world.box().period(),
+                                    .inverse_period = &world.box().inverse_period(),
+                                    .now_high = now.high,
+                                    .now_low = now.low});
   }
 
   /// The contacts of a sphere with its candidates. Precondition: `candidates` has been ended, means nearest

@@ -83,10 +83,24 @@ inline void settle(const World& world, Contact& contact, const Participants& par
   undo_approach(world, contact, participants);
 }
 
+/// Tells what two spheres with a potential of steps have come to: the step or the core, its distance, and
+/// whether they pass. Precondition: there are potentials of steps; the contact is a collision described
+/// otherwise.
+void describe_step(const World& world, const Participants& participants, Executed& done);
+
+/// Lets two spheres pass a step of their potential, or bounce off it: the impulse is along their separation,
+/// and the kinetic energy changes by the height of the step. They recede afterwards if they move outwards,
+/// and approach each other if they move inwards.
+/// Source: Alder and Wainwright, J. Chem. Phys. 31 (1959) 459.
+void decide_at_step(Contact& contact);
+
 /// Makes the first of the two spheres of a collision one with the mass, momentum, angular momentum and volume
 /// of both, at their center of mass; the second remains to be removed. Sets what comes after the contact
 /// accordingly. Two kinematic spheres do not merge.
 void merge(World& world, Contact& contact, const Participants& participants);
+
+/// Carries out what has been described as a contact at a step.
+void execute_at_step(World& world, const Participants& participants, Executed& done);
 
 /// Carries out a collision or wall event: evaluates the paths at its time, calls the response, stores the new
 /// paths. The one place, shared by all engines, where a contact changes the motion. Spheres that pass through
@@ -101,6 +115,11 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
     done.folded = {};
     return world.note_passage(event);
   }
+  const bool is_collision = contact.is_collision();
+  if (world.has_steps()) [[unlikely]] {
+    if (is_collision) describe_step(world, participants, done);
+    if (contact.step.happens()) return execute_at_step(world, participants, done);
+  }
   done.may_turn = true;  // until the response tells otherwise, and if it throws
   if (world.motion().has_growth()) [[unlikely]] {
     decide_between_surfaces(world.interactions(), contact);
@@ -108,7 +127,6 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
   } else {
     done.may_turn = world.interactions().decide(contact);
   }
-  const bool is_collision = contact.is_collision();
   if (contact.outcome == ContactOutcome::merge) [[unlikely]]
     return merge(world, contact, participants);
   if (world.has_traits()) [[unlikely]]

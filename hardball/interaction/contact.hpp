@@ -10,6 +10,7 @@
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/interaction/species.hpp"
+#include "hardball/interaction/step_potential.hpp"
 #include "hardball/surfaces/surface_material.hpp"
 
 namespace hardball {
@@ -56,7 +57,9 @@ struct Contact {
   /// Collision: from the center of the first sphere to that of the second. Wall: from the center to the wall,
   /// perpendicular. [L]
   Vec3 separation;
-  double reach = 0;         ///< Sum of the radii, or the radius: the length `separation` should have [L].
+  /// The length that `separation` should have [L]: the sum of the radii, or the radius; at a step or the core
+  /// of a potential, its distance.
+  double reach = 0;
   double first_radius = 0;  ///< [L]
   /// Collision: the radius of the second sphere. Wall: zero. [L]
   double second_radius = 0;
@@ -81,6 +84,7 @@ struct Contact {
   double pressing = 0;            ///< Wall: the acceleration of the sphere toward it [L/T^2].
   double growth = 0;              ///< The rate at which `reach` grows [L/T].
   SurfaceMaterial wall_material;  ///< Wall: what it does.
+  StepAttempt step;               ///< Collision: the step of a potential, if the spheres meet at one.
 
   bool is_collision() const { return kind == EventKind::collision; }
   /// Unit vector along `separation`, or toward the wall [1].

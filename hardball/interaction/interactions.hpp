@@ -8,6 +8,7 @@
 
 #include "hardball/interaction/response_table.hpp"
 #include "hardball/interaction/restitution.hpp"
+#include "hardball/interaction/step_potential.hpp"
 #include "hardball/memory/function.hpp"
 
 namespace hardball {
@@ -16,8 +17,8 @@ namespace hardball {
 using CustomResponse = Function<Outcome(const Contact&)>;
 
 /// What happens when bodies touch: a table of the pairs of species, and a custom response that is called
-/// instead of it wherever spheres do not pass through each other. Walls have their own materials: see
-/// SurfaceMaterial.
+/// instead of it wherever spheres do not pass through each other; and the potentials of steps that act before
+/// they touch. Walls have their own materials: see SurfaceMaterial.
 class Interactions {
  public:
   Interactions() : Interactions(Restitution()) {}
@@ -30,6 +31,8 @@ class Interactions {
   }
 
   const ResponseTable& table() const { return table_; }
+  const StepTable& steps() const { return steps_; }
+  void set_steps(const StepTable& steps) { steps_ = steps; }
   const CustomResponse& function() const { return function_; }
   /// Replaces the function; an empty one leaves it to the table.
   void set_function(CustomResponse function) {
@@ -42,8 +45,8 @@ class Interactions {
   bool has_passing() const { return has_passing_; }
   /// Whether spheres may merge: by the table, or if the function says so.
   bool may_merge() const { return function_ || has_merging_; }
-  /// Whether all contacts are known to be elastic and smooth.
-  bool are_elastic() const { return one_for_all_ && one_for_all_->coefficient() == 1; }
+  /// Whether all contacts are known to be elastic and smooth, and to keep the kinetic energy.
+  bool are_elastic() const { return one_for_all_ && one_for_all_->coefficient() == 1 && steps_.empty(); }
 
   /// See Response. Precondition: the bodies do not pass through each other.
   bool decide(Contact& contact) const {
@@ -62,7 +65,9 @@ class Interactions {
     } else {
       archive(self.table_);
     }
+    if (archive.version() >= kVersionOfSteps) archive(self.steps_);
   }
+  static constexpr std::uint32_t kVersionOfSteps = 7;  // of archives
 
   void choose() {
     has_passing_ = table_.has_passing();
@@ -71,6 +76,7 @@ class Interactions {
   }
 
   ResponseTable table_;
+  StepTable steps_;
   CustomResponse function_;
   std::optional<Restitution> one_for_all_;  // the fastest, if it is that
   bool has_passing_ = false;

@@ -52,9 +52,26 @@ struct PairQuery {
   const Growth* growth;  ///< Of all spheres; null if radii are base radii.
 };
 
+/// One sphere and those that are inside of a step of a potential with it, as plain arrays.
+struct StepQuery {
+  const Path* paths;            ///< By slot.
+  std::uint32_t self;           ///< The slot of the sphere.
+  const std::uint32_t* others;  ///< Slots of the others, padded with the sphere itself.
+  const double* inner;          ///< The next step or the core inwards, zero if there is none [L]; padded.
+  const double* outer;          ///< The next step outwards [L]; padded.
+  std::size_t count;            ///< Of the others.
+  const Vec3* period;           ///< Of the box [L]; zero along axes that are not periodic.
+  const Vec3* inverse_period;   ///< Zero along axes that are not periodic.
+  double now_high;              ///< When images are the nearest.
+  double now_low;
+};
+
 /// Computes the contact time of each pair, as contact_time (geometry/contact_time.hpp) does, in two
 /// parts, the first infinite if there is no contact; arrays are padded like those of the query.
 using PairKernel = void (*)(const PairQuery& query, double* high, double* low);
+
+/// Finds the earliest event of a sphere at steps, as time_between (geometry/exit_time.hpp) does.
+using StepKernel = EarliestContact (*)(const StepQuery& query);
 
 /// Finds the earliest contact of a sphere with its candidates.
 using ContactKernel = EarliestContact (*)(const ContactQuery& query);

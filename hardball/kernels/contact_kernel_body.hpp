@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "hardball/geometry/contact_time.hpp"
+#include "hardball/geometry/exit_time.hpp"
 #include "hardball/kernels/contact_kernel.hpp"
 
 namespace hardball {
@@ -80,11 +81,11 @@ void contacts_of_pairs(const PairQuery& query, double* high, double* low) {
 /// The largest number of candidates in one batch.
 inline constexpr std::size_t kBatch = 64;
 
-/// The earliest contact with up to kBatch candidates. `shift(i, a, b)` gives the displacements of those from
-/// candidate i on, with paths b, if a is the sphere's.
-template <class Lanes, class AnyMotion, class Shift>
-EarliestContact earliest_of_batch(const ContactQuery& query, std::size_t begin, std::size_t count,
-                                  const AnyMotion& motion, const Shift& shift) {
+/// The earliest of up to kBatch times: time(i, self, other) gives those with the spheres from the i-th on, if
+/// `self` is the path of the sphere and `other` are theirs.
+template <class Lanes, class Query, class TimeWith>
+HARDBALL_ALWAYS_INLINE EarliestContact earliest_of_batch(const Query& query, std::size_t begin,
+                                                         std::size_t count, const TimeWith& time) {
   const Path& own = query.paths[query.self];
   const PathOf<Lanes> self{in_all_lanes<Lanes>(own.position),
                            in_all_lanes<Lanes>(own.velocity),
@@ -93,12 +94,9 @@ EarliestContact earliest_of_batch(const ContactQuery& query, std::size_t begin, 
   alignas(64) double low[kBatch];
   Lanes least(std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < count; i += Lanes::kWidth) {
-    const std::uint32_t* const others = query.others + begin + i;
     PathOf<Lanes> other;
-    Lanes::load(query.paths, others, other);
-    const Lanes reach = query.radii == nullptr ? Lanes(query.radius + query.radius)
-                                               : Lanes(query.radius) + Lanes::gather(query.radii, others);
-    const TimeOf<Lanes> contact = contact_time(motion, self, other, shift(begin + i, self, other), reach);
+    Lanes::load(query.paths, query.others + begin + i, other);
+    const TimeOf<Lanes> contact = time(begin + i, self, other);
     contact.high.store(high + i);
     contact.low.store(low + i);
     least = minimum(least, contact.high);
@@ -114,13 +112,12 @@ EarliestContact earliest_of_batch(const ContactQuery& query, std::size_t begin, 
           (earliest_lanes & (earliest_lanes - 1)) != 0};
 }
 
-template <class Lanes, class AnyMotion, class Shift>
-EarliestContact earliest_of_all(const ContactQuery& query, const AnyMotion& motion, const Shift& shift) {
+template <class Lanes, class Query, class TimeWith>
+EarliestContact earliest_of_all(const Query& query, const TimeWith& time) {
   EarliestContact result{std::numeric_limits<double>::infinity(), 0, 0, false};
   for (std::size_t begin = 0; begin < query.count; begin += kBatch) {
     const std::size_t left = query.count - begin;
-    const EarliestContact found =
-        earliest_of_batch<Lanes>(query, begin, left < kBatch ? left : kBatch, motion, shift);
+    const EarliestContact found = earliest_of_batch<Lanes>(query, begin, left < kBatch ? left : kBatch, time);
     if (found.high < result.high) {
       result = found;
     } else if (found.high == result.high) {
@@ -134,15 +131,32 @@ EarliestContact earliest_of_all(const ContactQuery& query, const AnyMotion& moti
 template <class Lanes, class AnyMotion>
 EarliestContact earliest_contact_of_moving(const ContactQuery& query, const AnyMotion& motion) {
   using Paths = PathOf<Lanes>;
+  const auto reach_of = [&](std::size_t i) {
+    return query.radii == nullptr ? Lanes(query.radius + query.radius)
+                                  : Lanes(query.radius) + Lanes::gather(query.radii, query.others + i);
+  };
   if (query.shifts == nullptr) {
     const NearestShifts<Lanes, AnyMotion> nearest(query, motion);
-    return earliest_of_all<Lanes>(query, motion, [&](std::size_t, const Paths& self, const Paths& other) {
-      return nearest(self, other);
+    return earliest_of_all<Lanes>(query, [&](std::size_t i, const Paths& self, const Paths& other) {
+      return contact_time(motion, self, other, nearest(self, other), reach_of(i));
     });
   }
-  return earliest_of_all<Lanes>(query, motion, [&](std::size_t i, const Paths&, const Paths&) {
-    return VectorOf<Lanes>{Lanes::load(query.shifts[0] + i), Lanes::load(query.shifts[1] + i),
-                           Lanes::load(query.shifts[2] + i)};
+  return earliest_of_all<Lanes>(query, [&](std::size_t i, const Paths& self, const Paths& other) {
+    const VectorOf<Lanes> shift{Lanes::load(query.shifts[0] + i), Lanes::load(query.shifts[1] + i),
+                                Lanes::load(query.shifts[2] + i)};
+    return contact_time(motion, self, other, shift, reach_of(i));
+  });
+}
+
+/// The kernel for steps.
+template <class Lanes>
+EarliestContact earliest_step(const StepQuery& query) {
+  using Paths = PathOf<Lanes>;
+  const StraightMotion motion;
+  const NearestShifts<Lanes, StraightMotion> nearest(query, motion);
+  return earliest_of_all<Lanes>(query, [&](std::size_t i, const Paths& self, const Paths& other) {
+    return time_between<Lanes>(self, other, nearest(self, other), Lanes::load(query.inner + i),
+                               Lanes::load(query.outer + i));
   });
 }
 

@@ -13,6 +13,7 @@ namespace hardball {
 struct Kernels {
   ContactKernel earliest_contact;
   PairKernel contacts_of_pairs;
+  StepKernel earliest_step;
   BoundKernel bound_contacts;
   BoundPairKernel bound_contacts_of_two;
   NearKernel pick_near;

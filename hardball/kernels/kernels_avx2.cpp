@@ -41,6 +41,7 @@ Lanes select(const Lanes::Mask& mask, const Lanes& a, const Lanes& b) {
 
 const Kernels kAvx2Kernels{.earliest_contact = earliest_contact<Lanes>,
                            .contacts_of_pairs = contacts_of_pairs<Lanes>,
+                           .earliest_step = earliest_step<Lanes>,
                            .bound_contacts = bound_contacts<Floats>,
                            .bound_contacts_of_two = bound_contacts_of_two<Floats>,
                            .pick_near = pick_near<Floats>,

@@ -237,6 +237,7 @@ std::uint32_t least_of(const Floats::Integers& a) {
 
 const Kernels kPortableKernels{.earliest_contact = earliest_contact<Lanes>,
                                .contacts_of_pairs = contacts_of_pairs<Lanes>,
+                               .earliest_step = earliest_step<Lanes>,
                                .bound_contacts = bound_contacts<Floats>,
                                .bound_contacts_of_two = bound_contacts_of_two<Floats>,
                                .pick_near = pick_near<Floats>,

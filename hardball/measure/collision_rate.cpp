@@ -32,6 +32,7 @@ void CollisionRate::advance(const Time& now) {
 }
 
 void CollisionRate::note(const Contact& contact) {
+  if (contact.step.happens()) return advance(contact.time);
   if (contact.is_collision()) {
     contacts_.put(kCollisions, 1);
     contacts_.put(pair_bin(species_.of(contact.first), species_.of(contact.second)), 1);

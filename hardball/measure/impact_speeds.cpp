@@ -66,7 +66,7 @@ ImpactSpeeds::ImpactSpeeds(const Scene& scene)
       average_(kPairs + species_.size() * species_.size()) {}
 
 void ImpactSpeeds::note(const Contact& contact) {
-  if (!contact.is_collision()) return;
+  if (!contact.is_collision() || contact.step.happens()) return;
   const double speed = contact.impact_speed();
   const double bin = speed * bins_per_speed_;
   if (bin < kBins) average_.put(static_cast<std::size_t>(bin), 1);

@@ -26,6 +26,7 @@
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/measure/step_attempts.hpp"
 #include "hardball/measure/structure_factor.hpp"
 #include "hardball/measure/temperature.hpp"
 #include "hardball/measure/transport.hpp"
@@ -73,6 +74,12 @@ concept IsByName = requires {
   Measure::kIsByName;
 };
 
+/// Has a meaning only where there are potentials of steps.
+template <class Measure>
+concept NeedsSteps = requires {
+  Measure::kNeedsSteps;
+};
+
 template <class M>
 struct Entry {
   using Measure = M;
@@ -106,7 +113,7 @@ struct All {
 };
 using AllMeasures = All<Pressure, WallForces, Temperature, CollisionRate, ImpactSpeeds, VelocityDistribution,
                         MeanSquareDisplacement, VelocityAutocorrelation, RadialDistribution, StructureFactor,
-                        DensityProfiles, FlowProfiles, Coordination, NearestNeighbor, BondOrder,
+                        DensityProfiles, FlowProfiles, Coordination, NearestNeighbor, BondOrder, StepAttempts,
                         SelfDiffusion, Viscosity, BulkViscosity, ThermalConductivity, MutualDiffusion>;
 
 template <class Entry>
@@ -236,6 +243,7 @@ void Measures::sample(const World& world, const Time& now) {
   if (!has_begun_) {
     const Pace pace = expected_pace(scene.statistics());
     entries_->for_each([&](auto& entry) {
+      if (NeedsSteps<MeasureOf<decltype(entry)>> && !world.has_steps()) return;
       if (entry.is_wanted) begin(entry, scene, settings_.every, pace);
     });
     has_begun_ = true;

@@ -46,6 +46,13 @@ RadialDistribution::RadialDistribution(const Scene& scene, double range, double 
     mean_diameter += 2 * world.base_radius(slot) / static_cast<double>(world.size());
     low_ = std::min(low_, 2 * world.base_radius(slot));
   });
+  const double least_reach = low_;
+  const StepTable& steps = world.interactions().steps();
+  for (std::size_t number = 0; number < steps.size(); ++number) {
+    const StepRules& rules = steps[static_cast<StepTable::Number>(number)].rules();
+    low_ = std::min(low_, rules.core * least_reach);
+    is_smooth_ &= rules.core >= 1 && rules.steps.front().ratio >= 1 + ContactExtrapolation::kReach;
+  }
   const std::size_t species = is_by_species_ ? species_.size() : 1;
   kind_of_.resize(species * species);
   for (std::size_t a = 0; a < species; ++a) {
@@ -71,7 +78,7 @@ RadialDistribution::RadialDistribution(const Scene& scene, double range, double 
 // Whether the bins reach far enough beyond contact for the extrapolation to it.
 bool RadialDistribution::has_contact() const {
   const double high = low_ + static_cast<double>(bins_) * bin_width_;
-  return is_by_species_ && std::all_of(kinds_.begin(), kinds_.end(), [&](const Kind& kind) {
+  return is_by_species_ && is_smooth_ && std::all_of(kinds_.begin(), kinds_.end(), [&](const Kind& kind) {
            return kind.reach * (1 + ContactExtrapolation::kReach) <= high;
          });
 }
@@ -219,7 +226,7 @@ bool RadialDistribution::restored() const {
   const auto is_kind = [this](std::size_t kind) { return kind < kinds_.size(); };
   return species <= kMaxSpecies && kinds_.size() <= kMaxSpecies * kMaxSpecies &&
          kind_of_.size() == species * species && std::ranges::all_of(kind_of_, is_kind) &&
-         bins_ <= average_.bins() && average_.has(pairs_bin(kinds_.size()), kSphereGroups) && low_ > 0 &&
+         bins_ <= average_.bins() && average_.has(pairs_bin(kinds_.size()), kSphereGroups) && low_ >= 0 &&
          bin_width_ > 0;
 }
 

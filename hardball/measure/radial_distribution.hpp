@@ -48,6 +48,7 @@ class RadialDistribution {
     archive(self.box_, self.species_, self.is_by_species_, self.kinds_, self.kind_of_, self.low_,
             self.bin_width_, self.bins_, self.sample_cost_, self.begin_, self.average_);
     if (archive.version() >= 2) archive(self.motion_);
+    if (archive.version() >= 7) archive(self.is_smooth_);
   }
   bool restored() const;
 
@@ -76,9 +77,10 @@ class RadialDistribution {
   Box box_;
   SpeciesList species_;
   bool is_by_species_;
+  bool is_smooth_ = true;  // near contact; steps of a potential make the function jump
   std::vector<Kind> kinds_;
   std::vector<std::size_t> kind_of_;  // shape (species, species)
-  double low_ = 0;                    // where the bins start: the least distance at contact [L]
+  double low_ = 0;                    // where the bins start: the least distance of centers [L]
   double bin_width_ = 0;              // [L]
   std::size_t bins_ = 0;              // of each kind
   double sample_cost_ = 0;            // [ns]

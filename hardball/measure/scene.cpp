@@ -29,7 +29,7 @@ const GasStatistics& Scene::statistics() const {
 const ThermalMotion& Scene::thermal_motion() const {
   return once(motion_, [&] {
     ThermalMotion motion = hardball::thermal_motion(world_, now_);
-    motion.is_driven = is_driven_;
+    motion.is_driven = is_driven_ || world_.has_steps();
     return motion;
   });
 }

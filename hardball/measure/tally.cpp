@@ -67,9 +67,13 @@ void Tally::note(const Contact& contact) {
   if (!is_known_to_conserve) note_gain(energy_gain_of(contact), contact.time);
   // As Contact has them, from one root.
   const double distance = length(contact.separation);
-  max_overlap_ = std::max(max_overlap_, 1 - distance / contact.reach);
   const double virial = -dot(contact.impulse(), contact.separation);
   virial_ += virial;
+  if (contact.step.happens()) [[unlikely]] {
+    ++(contact.step.passes ? steps_passed_ : steps_refused_);
+    return;
+  }
+  max_overlap_ = std::max(max_overlap_, 1 - distance / contact.reach);
   const double speed = std::max(
       0.0, dot(contact.before.first - contact.before.second, contact.separation) / distance + contact.growth);
   impact_speed_sum_ += speed;
@@ -128,6 +132,8 @@ void Tally::add(const Tally& other) {
   collisions_ += other.collisions_;
   mergers_ += other.mergers_;
   passes_ += other.passes_;
+  steps_passed_ += other.steps_passed_;
+  steps_refused_ += other.steps_refused_;
   wall_contacts_ += other.wall_contacts_;
   max_overlap_ = std::max(max_overlap_, other.max_overlap_);
   virial_.add(other.virial_);

@@ -54,6 +54,9 @@ class HARDBALL_EXPORT Tally {
   std::uint64_t mergers() const { return mergers_; }
   /// Those of them in which the two passed through each other.
   std::uint64_t passes() const { return passes_; }
+  /// Those of them in which the two passed a step of their potential, or bounced off it.
+  std::uint64_t steps_passed() const { return steps_passed_; }
+  std::uint64_t steps_refused() const { return steps_refused_; }
   std::uint64_t wall_contacts() const { return wall_contacts_; }
   /// Energy at the start, see World::energy [M L^2 T^-2].
   double initial_energy() const { return initial_energy_; }
@@ -66,7 +69,7 @@ class HARDBALL_EXPORT Tally {
   /// The energy that spheres have gained by growing: the sum over contacts of the impulse times the rate of
   /// the sum of the radii [M L^2 T^-2].
   double growth_work() const { return growth_work_.value(); }
-  /// Sums over collisions of the impact speed [L/T] and of its square [L^2 T^-2].
+  /// Sums over collisions, but those at steps, of the impact speed [L/T] and of its square [L^2 T^-2].
   double impact_speed_sum() const { return impact_speed_sum_.value(); }
   double impact_speed_square_sum() const { return impact_speed_square_sum_.value(); }
   /// Momentum transferred to a face of the box [M L/T].
@@ -100,9 +103,11 @@ class HARDBALL_EXPORT Tally {
             self.virial_, self.impact_speed_sum_, self.impact_speed_square_sum_, self.is_straight_,
             self.walls_);
     if (archive.version() >= kVersionOfGrowth) archive(self.growth_work_);
+    if (archive.version() >= kVersionOfSteps) archive(self.steps_passed_, self.steps_refused_);
   }
   static constexpr std::uint32_t kVersionOfGains = 4;  // of archives
   static constexpr std::uint32_t kVersionOfGrowth = 5;
+  static constexpr std::uint32_t kVersionOfSteps = 7;
 
   // The sums of WallTally.
   struct WallSums {
@@ -134,6 +139,8 @@ class HARDBALL_EXPORT Tally {
   std::uint64_t collisions_ = 0;
   std::uint64_t mergers_ = 0;
   std::uint64_t passes_ = 0;
+  std::uint64_t steps_passed_ = 0;
+  std::uint64_t steps_refused_ = 0;
   std::uint64_t wall_contacts_ = 0;
   double max_overlap_ = 0;
   ExactSum virial_;

@@ -184,6 +184,7 @@ std::string obstacle_of(const Scene& scene) {
     if (!world.box().is_periodic(axis)) return "transport is measured where all axes are periodic";
   if (!world.surfaces().empty() || !world.motion().is_straight())
     return "transport is measured without walls and gravity";
+  if (world.has_steps()) return "transport is measured without potentials of steps";
   if (!world.interactions().are_elastic()) return "transport is measured of elastic spheres";
   if (world.size() < 2 || !(scene.thermal_motion().energy > 0)) return "nothing moves";
   return "";

@@ -51,7 +51,7 @@ class PaperEngine {
     return supports(world) && edge >= least_edge(world);
   }
   /// The largest diameter [L]: in smaller subspaces a sphere could intersect more than eight.
-  static double least_edge(const World& world) { return 2 * world.largest_radius(); }
+  static double least_edge(const World& world) { return 2 * world.largest_bounding_radius(); }
 
   const World& world() const { return world_; }
   const Aftermath& aftermath() const { return aftermath_; }
@@ -135,7 +135,9 @@ class PaperEngine {
       insert(slot);
     }
     try {
-      require_room(world_, slot, is_admitted ? nearby(slot) : all_slots(world_), moment);
+      const std::vector<Slot> others = is_admitted ? nearby(slot) : all_slots(world_);
+      require_room(world_, slot, others, moment);
+      world_.assign_levels(slot, others, moment);
     } catch (const Error&) {
       if (is_admitted) erase(slot);
       world_.undo_add();
@@ -280,7 +282,8 @@ class PaperEngine {
       if (found == subspace_tree_.end()) return;
       for (const Member& member : found->second) {
         const Image image = boxes - member.boxes;
-        if (member.slot == slot || have_passed(slot, member.slot, image)) continue;
+        if (member.slot == slot || is_inside_step(slot, member.slot) || have_passed(slot, member.slot, image))
+          continue;
         visit(member.slot, image);
       }
     });
@@ -289,6 +292,11 @@ class PaperEngine {
   // Whether two spheres are passing through each other, or have just begun to.
   bool have_passed(Slot slot, Slot other, const Image& image) const {
     return world_.has_passing_pairs() && world_.pass(slot, other) && are_passing(world_, slot, other, image);
+  }
+
+  // Whether the next event of two spheres is known from their levels, not from subspaces.
+  bool is_inside_step(Slot slot, Slot other) const {
+    return world_.pair_levels().find(slot, other) != nullptr;
   }
 
   bool share_a_subspace(const Event& collision) const {
@@ -336,6 +344,14 @@ class PaperEngine {
     });
   }
 
+  // With the spheres that are inside of a step with it.
+  void predict_pairs(Slot slot) {
+    for (const PairLevel& pair : world_.pair_levels().of(slot)) {
+      ++counters_.predictions;
+      add_candidate(collision_of(slot, pair.partner, nearest_image(world_, slot, pair.partner, now_)));
+    }
+  }
+
   // Recomputes the candidates for entering and leaving.
   void predict_crossings(Slot slot) {
     remove_candidates_if(slot, [](const Event& event) {
@@ -355,6 +371,7 @@ class PaperEngine {
 
   void predict_all(Slot slot) {
     predict_collisions(slot, records_[slot].subspaces);
+    predict_pairs(slot);
     add_candidate(next_wall_event(world_, slot, now_, 0));
     predict_crossings(slot);
   }
@@ -481,7 +498,8 @@ class PaperEngine {
       --subspaces.high[axis];
     }
     remove_candidates_if(slot, [this](const Event& candidate) {
-      return candidate.kind == EventKind::collision && !share_a_subspace(candidate);
+      return candidate.kind == EventKind::collision && !share_a_subspace(candidate) &&
+             !is_inside_step(world_.slot_of(candidate.first), world_.slot_of(candidate.second));
     });
     predict_crossings(slot);
   }

@@ -23,7 +23,7 @@ struct SystemSize {
   /// Adds the spheres of a world as they are at `moment`. Cost: O(n).
   void note(const World& world, const Time& moment) {
     spheres += world.size();
-    contact = std::max(contact, 2 * world.largest_radius() * world.room_to_grow());
+    contact = std::max(contact, 2 * world.largest_bounding_radius() * world.room_to_grow());
     for (Slot slot = 0; slot < world.size(); ++slot) speeds += length(world.velocity(slot, moment));
   }
   void add(const SystemSize& other) {

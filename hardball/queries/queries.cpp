@@ -38,6 +38,10 @@ template <class Pass>
 std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slot self, const Path& path,
                                             double radius, const Pass& pass, const Time& until) {
   refuse_growth(world, "first_contact");
+  if (world.has_steps()) {
+    throw Error("spheres have potentials of steps, by which paths bend", "first_contact",
+                "ask for the next contact of the simulation");
+  }
   const Time& now = path.time;
   const Box& box = world.box();
   const double last = until.high < kNever.high ? duration(now, until) : until.high;

@@ -511,6 +511,77 @@ TableDescription obstacles_keys() {
   return {.title = "[[obstacles]]", .keys = keys, .one_of = {{"position", "positions"}}};
 }
 
+KeyDescription steps_key(std::string_view meaning) {
+  const std::shared_ptr<const TableDescription> step = make(
+      {.title = "steps",
+       .keys = {{.name = "ratio",
+                 .range = positive,
+                 .is_required = true,
+                 .meaning = "the distance of the centers at which the step is, over the sum of the radii",
+                 .example = "1.5"},
+                {.name = "energy",
+                 .dimension = "M L²/T²",
+                 .is_required = true,
+                 .meaning = "of two spheres inside of it, down to the next step or the core",
+                 .example = "-1.0"}}});
+  return {.name = "steps", .type = tables, .meaning = meaning, .table = step};
+}
+
+KeyDescription core_key() {
+  return {.name = "core",
+          .range = not_negative,
+          .default_value = "1.0",
+          .meaning =
+              "the distance at which the spheres bounce off each other, over the sum of the radii; zero "
+              "if they may take the same place",
+          .example = "0.0"};
+}
+
+TableDescription potentials_keys() {
+  KeyDescription steps = steps_key("its steps, from the inside to the outside");
+  steps.is_required = true;
+  return {.title = "[[potentials]]",
+          .keys = {{.name = "between",
+                    .type = texts,
+                    .meaning = "two species, alike or not; if not given, all that no other potential names",
+                    .example = R"(["oil", "water"])"},
+                   steps,
+                   core_key()}};
+}
+
+TableDescription bonds_keys() {
+  return {.title = "[[bonds]]",
+          .keys = {{.name = "between",
+                    .type = numbers,
+                    .range = not_negative,
+                    .meaning = "the ids of two spheres that are tied together",
+                    .example = "[3, 17]"},
+                   {.name = "chain",
+                    .type = numbers,
+                    .range = not_negative,
+                    .meaning = "the first and the last id of spheres of which each is tied to the next",
+                    .example = "[0, 63]"},
+                   {.name = "file",
+                    .type = text,
+                    .meaning = "a text file with two ids on each line; its path is relative to the scenario",
+                    .example = "\"bonds.txt\""},
+                   {.name = "beads",
+                    .type = integer,
+                    .least = 2,
+                    .most = std::numeric_limits<SphereId>::max() - 1,
+                    .meaning = "with `chain`: it is cut into chains of so many spheres",
+                    .example = "16"},
+                   {.name = "longest",
+                    .range = positive,
+                    .is_required = true,
+                    .meaning = "the greatest distance of the centers, over the sum of the radii",
+                    .example = "1.2"},
+                   core_key(),
+                   steps_key("steps on the way there, from the inside to the outside; beyond them the energy "
+                             "is zero")},
+          .one_of = {{"between", "chain", "file"}}};
+}
+
 TableDescription thermostat_keys() {
   return {
       .title = "[thermostat]",
@@ -710,6 +781,14 @@ TableDescription all_keys() {
                     .type = table,
                     .meaning = "what contacts do",
                     .table = make(response_keys())},
+                   {.name = "potentials",
+                    .type = tables,
+                    .meaning = "potentials of steps: wells, shoulders, sticky spheres; see steps.md",
+                    .table = make(potentials_keys())},
+                   {.name = "bonds",
+                    .type = tables,
+                    .meaning = "spheres that are tied together: tethers and chains; see steps.md",
+                    .table = make(bonds_keys())},
                    {.name = "thermostat",
                     .type = table,
                     .meaning = "what exchanges energy with the spheres between contacts",

@@ -12,7 +12,7 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/placement/placement.hpp"
 #include "hardball/placement/radii.hpp"
-#include "hardball/scenario/make_responses.hpp"
+#include "hardball/scenario/make_interactions.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/velocities.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
@@ -347,7 +347,8 @@ World make_world(const Scenario& scenario, const OnProgress& on_progress) {
   } else if (!scenario.spheres.empty()) {
     add_groups(scenario, world, progress);
   }
-  world.set_interactions(make_responses(scenario));
+  world.set_interactions(make_interactions(scenario));
+  add_bonds(scenario, world);
   progress.note_end();
   return world;
 }
@@ -363,7 +364,7 @@ World make_part(const Scenario& scenario, const Function<bool(SphereId)>& is_wan
   }
   const Box box = make_box(scenario);
   World empty(box, scenario.gravity, make_surfaces(scenario, box));
-  empty.set_interactions(make_responses(scenario));
+  empty.set_interactions(make_interactions(scenario));
   World alone = empty;
   SphereId id = 0;
   for (const Sphere& sphere : make_wanted(scenario, empty, is_wanted)) {

@@ -12,6 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/scenario/document.hpp"
+#include "hardball/scenario/read_potentials.hpp"
 #include "hardball/scenario/read_response.hpp"
 #include "hardball/scenario/read_spheres.hpp"
 #include "hardball/scenario/read_walls.hpp"
@@ -229,6 +230,7 @@ Scenario read_scenario(const Document& document) {
   scenario.walls = read_walls(root, scenario.dimensions());
   scenario.obstacles = read_obstacles(root, scenario.dimensions());
   read_response(root, scenario);
+  read_potentials(root, scenario);
   if (const auto thermostat = root.section("thermostat")) scenario.thermostat = read_thermostat(*thermostat);
   if (const auto growth = root.section("growth")) scenario.growth = read_growth(*growth);
   if (const auto run = root.section("run")) read_run(*run, scenario);

@@ -9,11 +9,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/growth/growth_schedule.hpp"
 #include "hardball/interaction/bounce.hpp"
+#include "hardball/interaction/step_potential.hpp"
 #include "hardball/measure/measure_settings.hpp"
 #include "hardball/placement/radii.hpp"
 #include "hardball/thermostats/thermostat.hpp"
@@ -115,6 +117,20 @@ struct PairDescription {
   BounceRules bounce;               ///< If they bounce.
 };
 
+/// A potential of steps: a table [[potentials]] of a scenario.
+struct PotentialDescription {
+  std::optional<std::pair<SpeciesId, SpeciesId>> between;  ///< None for all that no other names.
+  StepRules rules;
+};
+
+/// Spheres that are tied together: a table [[bonds]] of a scenario.
+struct BondsDescription {
+  std::vector<std::pair<SphereId, SphereId>> pairs;
+  std::optional<std::filesystem::path> file;  ///< With the pairs, instead.
+  StepRules rules;
+  std::string where;  ///< Its location in the scenario, for messages.
+};
+
 /// A description of a run: the contents of a scenario file, each value checked by itself.
 struct HARDBALL_EXPORT Scenario {
   /// The box along an axis.
@@ -143,6 +159,8 @@ struct HARDBALL_EXPORT Scenario {
   BounceRules bounce;                       ///< Of all contacts that `pairs` does not name.
   bool merges = false;                      ///< Whether all spheres that `pairs` does not name merge.
   std::vector<PairDescription> pairs;
+  std::vector<PotentialDescription> potentials;
+  std::vector<BondsDescription> bonds;
   std::optional<ThermostatKind> thermostat;  ///< Its seed is that of the run.
   std::optional<GrowthRules> growth;         ///< Of all spheres, from the start on.
   std::optional<double> until;               ///< When the run ends [T].
@@ -161,6 +179,8 @@ struct HARDBALL_EXPORT Scenario {
   double restitution() const;
   /// Whether spheres may merge.
   bool has_merging() const;
+  /// Whether there are potentials of steps.
+  bool has_steps() const { return !potentials.empty() || !bonds.empty(); }
 };
 
 /// Reads a scenario file. A start file is named relative to the scenario file, an output directory relative

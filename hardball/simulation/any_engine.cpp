@@ -62,7 +62,7 @@ const Choice& choice(EngineKind kind) {
 }  // namespace
 
 Division choose_division(const World& world, const EngineOptions& options) {
-  if (world.interactions().may_merge()) return {};
+  if (world.interactions().may_merge() || world.has_steps()) return {};
   if (options.division) return *options.division;
   constexpr std::size_t kSpheresPerThread = 250000;
   const std::size_t most = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
@@ -94,9 +94,10 @@ void check(const EngineOptions& options) {
 }
 
 void check_threads(const EngineOptions& options, const Interactions& interactions) {
-  if (options.threads <= 1 || !interactions.may_merge()) return;
-  throw Error(interactions.function() ? "threads cannot share a response that is a function"
-                                      : "threads cannot share spheres that merge",
+  if (options.threads <= 1 || !(interactions.may_merge() || !interactions.steps().empty())) return;
+  throw Error(interactions.function()    ? "threads cannot share a response that is a function"
+              : interactions.may_merge() ? "threads cannot share spheres that merge"
+                                         : "threads cannot share spheres with potentials of steps",
               "threads", "use one thread, or as many as pay");
 }
 

@@ -31,8 +31,10 @@ void Simulation::respond_with(Function<Outcome(const Contact&)> response) {
 
 void Simulation::respond_with(const ResponseTable& table) {
   check_editable("respond_with");
-  ResponseTable changed = table;
-  changed.pass_as_in(world().interactions().table());
+  ResponseTable responses = table;
+  responses.pass_as_in(world().interactions().table());
+  Interactions changed(responses);
+  changed.set_steps(world().interactions().steps());
   check_threads(options(), changed);
   tuner_->engine().world_to_edit().set_interactions(changed);
   sums_.tally.set_interactions(changed);

@@ -45,6 +45,7 @@ Simulation::Simulation(World world, const EngineOptions& options, const OnProgre
   const Progress progress(on_progress);
   progress.note(0, 1);
   begin_paths(world, now_);
+  world.assign_levels(now_);
   tuner_->prepare(world, now_);
   require_no_overlap(world, now_, progress.part(kOrdered, kAudited));  // faster in order
   tuner_->start(std::move(world), now_, progress.part(kAudited, 1));

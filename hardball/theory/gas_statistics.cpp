@@ -46,7 +46,7 @@ void GasSums::note(const World& world, Slot slot, const Time& moment) {
     power *= radius;
   }
   speed += length(world.velocity(slot, moment));
-  largest_radius = std::max(largest_radius, world.bounding_radius(slot));
+  largest_radius = std::max(largest_radius, world.base_radius(slot) * world.motion().largest_scale());
 }
 
 void GasSums::add(const GasSums& other) {
@@ -74,6 +74,7 @@ GasStatistics gas_statistics(const GasSums& sums, const World& world) {
     statistics.radius_power[k] = sums.radius_power[k].value() * per_sphere;
   statistics.mean_speed = sums.speed.value() * per_sphere;
   statistics.largest_radius = sums.largest_radius;
+  statistics.region_scale = world.interactions().steps().range();
   for (std::size_t axis = 0; axis < statistics.box.dimensions(); ++axis)
     statistics.extent[axis] = world.box().size()[axis];
   return statistics;
@@ -90,6 +91,16 @@ GasStatistics gas_statistics(const World& world, const Time& moment) {
       statistics.extent[axis] = std::min(statistics.extent[axis], stretch(world, axis, moment));
   }
   return statistics;
+}
+
+std::array<double, 6> GasStatistics::region_power() const {
+  std::array<double, 6> powers = radius_power;
+  double scale = 1;
+  for (double& power : powers) {
+    power *= scale;
+    scale *= region_scale;
+  }
+  return powers;
 }
 
 bool are_alike(const GasStatistics& a, const GasStatistics& b) {

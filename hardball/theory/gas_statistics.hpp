@@ -25,6 +25,8 @@ struct HARDBALL_EXPORT GasStatistics {
   std::array<double, 6> radius_power{1, 0, 0, 0, 0, 0};
   double largest_radius = 0;  ///< In the epoch [L].
   double mean_speed = 0;      ///< [L/T]
+  /// How much farther than its radius the region of a sphere reaches [1]: steps of potentials act there.
+  double region_scale = 1;
 
   bool is_flat() const { return box.is_flat(); }
   double mean_radius() const { return radius_power[1]; }                             ///< [L]
@@ -32,6 +34,11 @@ struct HARDBALL_EXPORT GasStatistics {
   double volume() const { return box.volume_of(extent); }                            ///< [L^3]
   double number_density() const { return static_cast<double>(spheres) / volume(); }  ///< [L^-3]
   double packing_fraction() const;                                                   ///< [1]
+  /// The mean of the k-th power of the radius of a region, k = 0 to 5 [L^k].
+  std::array<double, 6> region_power() const;
+  /// How many events two spheres have that meet, over collisions of hard spheres [1]: they enter and leave a
+  /// region that they do not fill.
+  double events_per_collision() const { return region_scale > 1 ? 1 + region_scale * region_scale : 1; }
 };
 
 /// Sums over spheres, of which these averages are made: the same to the bit in whichever order spheres are

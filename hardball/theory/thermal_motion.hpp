@@ -17,7 +17,7 @@ struct ThermalMotion {
   /// How many independent components of velocity there are: one for each sphere and dimension, less one for
   /// each axis without walls.
   double degrees_of_freedom = 0;
-  /// Whether a thermostat has changed it.
+  /// Whether its energy changes without losses: by a thermostat, or by potentials of steps.
   bool is_driven = false;
 
   /// k T: twice the energy by the degrees of freedom [M L^2 T^-2]; NaN if there are none.
@@ -35,8 +35,8 @@ double mean_over_normal(double degrees_of_freedom);
 /// Cost: O(n).
 ThermalMotion thermal_motion(const World& world, const Time& moment);
 
-/// Whether the energy is still that of the start but for rounding, and no thermostat has restored it, so that
-/// there can be the equilibrium of an isolated system.
+/// Whether the energy is still that of the start but for rounding, and nothing but chance contacts has kept
+/// it so, so that there can be the equilibrium of an isolated system of hard spheres.
 bool is_energy_conserved(const ThermalMotion& begin, const ThermalMotion& end);
 
 }  // namespace hardball

@@ -128,16 +128,16 @@ CellCounts expected_counts(const GasStatistics& statistics, double edge) {
   const double free_path = mean_free_path(statistics);
   const RowSurplus none;
   const RowSurplus surplus =
-      mean_row_surplus(axes, 2 * statistics.mean_radius(), free_path, statistics.box.dimensions());
+      mean_row_surplus(axes, 2 * statistics.region_power()[1], free_path, statistics.box.dimensions());
   const bool is_flat = statistics.is_flat();
   const Separation& in_contact = is_flat ? kDiscsInContact : kInContact;
   const Separation& overlapping = is_flat ? kDiscsOverlapping : kOverlapping;
-  const Powers one = diameter_powers(statistics.radius_power);
-  const Powers colliding = colliding_diameter_powers(statistics.radius_power, is_flat);
+  const Powers one = diameter_powers(statistics.region_power());
+  const Powers colliding = colliding_diameter_powers(statistics.region_power(), is_flat);
 
   counts.are_images_listed =
       !axes[0].has_nearest_images || !axes[1].has_nearest_images || !axes[2].has_nearest_images;
-  counts.collision = 1 / mean_free_time(statistics);
+  counts.collision = statistics.events_per_collision() / mean_free_time(statistics);
   counts.wall = wall_rate(statistics);
   const double cell = axes[0].edge * axes[1].edge * axes[2].edge;
   // Far from walls, the cells of a sphere after a collision, after a wall contact, at any time, and when its

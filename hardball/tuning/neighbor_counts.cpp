@@ -3,6 +3,7 @@
 #include "hardball/tuning/neighbor_counts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,10 +16,10 @@ namespace hardball {
 NeighborCounts expected_neighbor_counts(const GasStatistics& statistics, double skin) {
   NeighborCounts counts;
   if (statistics.spheres == 0) return counts;
-  const auto& m = statistics.radius_power;
+  const std::array<double, 6> m = statistics.region_power();
   const double density = statistics.number_density();
   const double path = mean_free_path(statistics);
-  counts.collision = 1 / mean_free_time(statistics);
+  counts.collision = statistics.events_per_collision() / mean_free_time(statistics);
   counts.wall = wall_rate(statistics);
   // Measured: docs/theory.md.
   counts.stale = counts.collision / 25;
@@ -27,7 +28,8 @@ NeighborCounts expected_neighbor_counts(const GasStatistics& statistics, double 
   const double diffusion = statistics.is_flat() ? 0.3 : 0.2;
   counts.rebuild = statistics.mean_speed / (skin * (1 + diffusion * skin / path));
   counts.is_far = statistics.spheres > kVeryManySpheres;
-  const double searched_edge = 3 * NeighborList::cell_edge(statistics.largest_radius, skin);
+  const double searched_edge =
+      3 * NeighborList::cell_edge(statistics.region_scale * statistics.largest_radius, skin);
   // The mean of (sum of two radii + 2 skin) cubed, or in two dimensions squared.
   const double sum = 2 * m[1];
   const double sum_squared = 2 * m[2] + 2 * m[1] * m[1];
@@ -72,7 +74,7 @@ double optimal_skin(const GasStatistics& statistics, const UnitCosts& costs) {
   double skin = 0.05 * statistics.largest_radius;
   for (int i = 0; i < kSteps; ++i, skin *= kStep) {
     const NeighborCounts counts = expected_neighbor_counts(moving, skin);
-    if (best > 0 && counts.neighbors > kMaxNeighbors) break;
+    if (best > 0 && counts.neighbors > kMaxNeighbors && statistics.region_scale == 1) break;
     const double cost = cost_rate(counts, costs);
     if (cost >= least) continue;
     least = cost;

@@ -59,7 +59,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](Slot a, Slot b) { return world.base_radius(a) > world.base_radius(b); });
   }
-  const bool passes = world.has_passing_pairs();
+  const bool may_overlap = world.has_passing_pairs() || world.has_steps();
   StaticHashGrid neighborhood(world.box(), world.size(), world.largest_radius());
   std::vector<Slot> inserted;
   inserted.reserve(world.size());
@@ -73,17 +73,17 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
     }
     const Vec3 position = world.position(slot, moment);
     note_escape(world, slot, position, moment, found);
-    neighborhood.for_each_near(position, world.radius(slot, moment),
-                               [&](std::uint32_t index, const Vec3& separation, double reach) {
-                                 // With a margin for rounding; most neighbors are farther away.
-                                 if (dot(separation, separation) > 1.001 * (reach * reach)) return;
-                                 const double overlap = 1 - length(separation) / reach;
-                                 if (overlap <= found.max_overlap) return;
-                                 if (passes && world.pass(slot, inserted[index])) return;
-                                 found.max_overlap = overlap;
-                                 found.overlap_first = std::min(world.id(slot), world.id(inserted[index]));
-                                 found.overlap_second = std::max(world.id(slot), world.id(inserted[index]));
-                               });
+    neighborhood.for_each_near(
+        position, world.radius(slot, moment), [&](std::uint32_t index, const Vec3& separation, double reach) {
+          // With a margin for rounding; most neighbors are farther away.
+          if (dot(separation, separation) > 1.001 * (reach * reach)) return;
+          const double core = may_overlap ? world.core_ratio(slot, inserted[index]) : 1;
+          const double overlap = 1 - length(separation) / (core * reach);
+          if (!(overlap > found.max_overlap)) return;
+          found.max_overlap = overlap;
+          found.overlap_first = std::min(world.id(slot), world.id(inserted[index]));
+          found.overlap_second = std::max(world.id(slot), world.id(inserted[index]));
+        });
     neighborhood.insert(position, world.radius(slot, moment));
     inserted.push_back(slot);
   }
@@ -117,10 +117,11 @@ void require_room(const World& world, Slot added, std::span<const Slot> others, 
   std::optional<SphereId> in_the_way;
   double its_overlap = 0;
   for (const Slot other : others) {
-    if (other == added || world.pass(added, other)) continue;
-    const double reach = world.radius(added, moment) + world.radius(other, moment);
+    if (other == added) continue;
+    const double reach =
+        world.core_ratio(added, other) * (world.radius(added, moment) + world.radius(other, moment));
     const double overlap = 1 - length(nearest_separation(world, added, other, moment)) / reach;
-    if (overlap <= kOverlapTolerance || (in_the_way && world.id(other) >= *in_the_way)) continue;
+    if (!(overlap > kOverlapTolerance) || (in_the_way && world.id(other) >= *in_the_way)) continue;
     in_the_way = world.id(other);
     its_overlap = overlap;
   }

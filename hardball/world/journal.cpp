@@ -67,6 +67,9 @@ void World::undo() {
     case Journal::Kind::passage:
       last_passage_ = journal_.passage();
       break;
+    case Journal::Kind::level:
+      levels_.set(change.slot, journal_.level().partner, journal_.level().potential, journal_.level().level);
+      break;
     case Journal::Kind::birth:
       return undo_add();
     case Journal::Kind::death:
@@ -77,6 +80,7 @@ void World::undo() {
       } else {
         // The sphere that took its place goes back to the last slot.
         append(state_of(change.slot));
+        levels_.give_back(change.slot, last);
         order_.move(rank_of(ids_[last]), last);
         set_state(change.slot, before);
       }

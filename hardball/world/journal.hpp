@@ -12,6 +12,7 @@
 #include "hardball/geometry/time.hpp"
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
+#include "hardball/world/pair_levels.hpp"
 #include "hardball/world/sphere.hpp"
 
 namespace hardball {
@@ -42,6 +43,7 @@ class Journal {
     birth,    ///< A sphere was added.
     death,    ///< A sphere was removed.
     passage,  ///< Two spheres began to pass through each other.
+    level,    ///< The level of a pair.
   };
   struct Change {
     Time time;      ///< Of the change [T].
@@ -61,6 +63,8 @@ class Journal {
   const SphereState& state() const { return states_.back(); }
   /// The last passage before the last change. Precondition: it is a passage.
   const Event& passage() const { return passages_.back(); }
+  /// The pair, for the sphere of the last change, as it was before. Precondition: it is a level.
+  const PairLevel& level() const { return levels_.back(); }
   /// The path that a sphere had before the last change of its path. Precondition: there is one.
   const Path& path_before(Slot slot) const { return paths_[last_path(slot)]; }
 
@@ -88,6 +92,10 @@ class Journal {
     changes_.push_back({moment, 0, Kind::passage});
     passages_.push_back(before);
   }
+  void note_level(const Time& moment, Slot slot, const PairLevel& before) {
+    changes_.push_back({moment, slot, Kind::level});
+    levels_.push_back(before);
+  }
   /// Forgets the last change.
   void pop() {
     switch (back().kind) {
@@ -97,6 +105,9 @@ class Journal {
         break;
       case Kind::passage:
         passages_.pop_back();
+        break;
+      case Kind::level:
+        levels_.pop_back();
         break;
       case Kind::state:
       case Kind::birth:
@@ -111,12 +122,13 @@ class Journal {
     folds_.clear();
     states_.clear();
     passages_.clear();
+    levels_.clear();
   }
 
   std::size_t memory_bytes() const {
     return changes_.capacity() * sizeof(Change) + paths_.capacity() * sizeof(Path) +
            folds_.capacity() * sizeof(Fold) + states_.capacity() * sizeof(SphereState) +
-           passages_.capacity() * sizeof(Event);
+           passages_.capacity() * sizeof(Event) + levels_.capacity() * sizeof(PairLevel);
   }
 
  private:
@@ -145,6 +157,7 @@ class Journal {
   std::vector<Fold> folds_;
   std::vector<SphereState> states_;
   std::vector<Event> passages_;
+  std::vector<PairLevel> levels_;
 };
 
 }  // namespace hardball

@@ -35,6 +35,10 @@ class SphereEdit {
     note_state(slot);
     world_.set_spin(slot, spin);
   }
+  /// Stores the level of a pair with this potential, see PairLevels.
+  void store_level(Slot a, Slot b, StepTable::Number potential, StepPotential::Level level) {
+    world_.set_level(a, b, potential, level, moment_);
+  }
   /// Gives a sphere a new radius [L], mass [M] and moment of inertia over mass and squared radius [1]. Error:
   /// as for World::add; then nothing has changed.
   void reshape(Slot slot, double radius, double mass, double inertia_factor) {

@@ -137,7 +137,7 @@ bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const
   if (!(time < kNever.high)) return true;
   const Path& path = world.path(slot);
   const double radius = world.base_radius(slot);
-  const double largest_radius = world.bounding_radius(slot);
+  const double largest_radius = radius * world.motion().largest_scale();
   constexpr double kRounding = 1 + 0x1p-48;
   const double elapsed = (time - rounded_down(path.time)) * kRounding;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

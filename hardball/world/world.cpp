@@ -146,6 +146,7 @@ World World::without_spheres() const {
   world.motion_ = motion_;
   world.surfaces_ = surfaces_;
   world.interactions_ = interactions_;
+  world.bounding_scale_ = bounding_scale_;
   world.has_grown_ = has_grown_;
   world.last_passage_ = last_passage_;
   return world;
@@ -168,8 +169,13 @@ void World::order_ids() {
 
 void World::remove(SphereId id, const Time& moment) {
   const Slot slot = slot_of(id);
+  while (!levels_.of(slot).empty()) {
+    const PairLevel pair = levels_.of(slot).back();
+    set_level(slot, pair.partner, pair.potential, 0, moment);
+  }
   if (has_journal_) journal_.note(Journal::Kind::death, moment, slot, state_of(slot));
   const auto last = static_cast<Slot>(size() - 1);
+  levels_.take_place(slot, last);
   const std::size_t rank = rank_of(id);
   if (slot != last) order_.move(rank_of(ids_[last]), slot);
   order_.erase(rank);
@@ -213,6 +219,7 @@ void World::reorder(std::span<const Slot> order) {
   inertia_factors_.reorder(order);
   spins_ = reordered(spins_);
   species_ = reordered(species_);
+  levels_.reorder(order);
   order_.sort(ids_, next_id_);
 }
 
@@ -257,6 +264,8 @@ void World::reshape(Slot slot, double radius, double mass, double inertia_factor
 
 void World::set_interactions(const Interactions& interactions) {
   interactions_ = interactions;
+  check_steps();
+  choose_bounding_scale();
   note_traits();
   if (motion_.has_growth()) refuse_growth_with_others();
 }
@@ -271,12 +280,14 @@ void World::set_growth(const Growth& growth) {
                 "growth", "end the growth earlier");
   }
   motion_.set_growth(growth);
+  choose_bounding_scale();
 }
 
 void World::end_growth(const Time& moment) {
   HARDBALL_CHECK(!has_journal_);
   radii_.multiply(motion_.scale_at(moment));
   motion_.set_growth({});
+  choose_bounding_scale();
   // When the present paths began, spheres of these sizes might have overlapped.
   for (Slot slot = 0; slot < size(); ++slot) rewrite_path(slot, moment, velocity(slot, moment));
 }
@@ -290,6 +301,7 @@ void World::refuse_growth_with_others() const {
   if (has_spins() || interactions_.table().is_rough()) refuse("some are rough, or spin", "make them smooth");
   if (interactions_.table().has_merging()) refuse("some merge", "let them bounce");
   if (interactions_.has_passing()) refuse("some pass through each other", "let them bounce");
+  if (has_steps()) refuse("there are potentials of steps", "remove one of them");
   check_walls_for_growth(box_, surfaces_);
 }
 
@@ -361,7 +373,7 @@ std::size_t World::memory_bytes() const {
   return paths_.capacity() * sizeof(Path) + radii_.memory_bytes() + masses_.memory_bytes() +
          ids_.capacity() * sizeof(SphereId) + order_.memory_bytes() + inertia_factors_.memory_bytes() +
          spins_.capacity() * sizeof(Vec3) + species_.capacity() * sizeof(SpeciesId) +
-         folded_.capacity() * sizeof(Image) + surfaces_.capacity() * sizeof(Surface);
+         folded_.capacity() * sizeof(Image) + surfaces_.capacity() * sizeof(Surface) + levels_.memory_bytes();
 }
 
 double rotational_energy(const World& world, Slot slot) {
@@ -374,6 +386,7 @@ double rotational_energy(const World& world, Slot slot) {
 double energy(const World& world, Slot slot, const Time& moment) {
   if (world.is_kinematic(slot)) return 0;
   const double kinetic = kinetic_energy(world, slot, moment) + rotational_energy(world, slot);
+  if (world.has_steps()) return kinetic + world.step_energy(slot);
   if (world.motion().is_straight()) return kinetic;
   return kinetic - world.mass(slot) * dot(world.motion().gravity(), world.unwrapped_position(slot, moment));
 }
@@ -395,6 +408,12 @@ bool World::restored() {
                            masses_.size() == count && inertia_factors_.size() == count && fits(spins_) &&
                            fits(species_);
   if (!is_complete || last_passage_.kind > EventKind::wall) return false;
+  const StepTable& steps = interactions_.steps();
+  for (const auto& [slot, pair] : levels_.in_order()) {
+    if (pair.potential >= steps.size() || pair.level > steps[pair.potential].steps()) return false;
+  }
+  check_steps();
+  choose_bounding_scale();
   check_setting(box_, motion_, surfaces_);
   check_growth(motion_.growth());
   std::vector<SphereId> sorted(ids_.begin(), ids_.end());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -21,10 +22,20 @@
 #include "hardball/world/box.hpp"
 #include "hardball/world/id_order.hpp"
 #include "hardball/world/journal.hpp"
+#include "hardball/world/pair_levels.hpp"
 #include "hardball/world/per_sphere.hpp"
 #include "hardball/world/sphere.hpp"
 
 namespace hardball {
+
+/// Two spheres that are tied together by a potential of the step table, the one with the lower id first.
+struct Bond {
+  SphereId first = 0;
+  SphereId second = 0;
+  StepTable::Number potential = StepTable::kNone;
+
+  friend auto operator<=>(const Bond&, const Bond&) = default;
+};
 
 /// The box, the surfaces and the spheres in it: their stored paths, radii and masses. The state of the motion
 /// and nothing else.
@@ -129,8 +140,9 @@ class HARDBALL_EXPORT World {
   double base_radius(Slot slot) const { return radii_[slot]; }
   /// The radius at `moment` [L]. Precondition: the moment is in the present epoch.
   double radius(Slot slot, const Time& moment) const { return radii_[slot] * motion_.scale_at(moment); }
-  /// The largest radius that a sphere has in the present epoch [L].
-  double bounding_radius(Slot slot) const { return radii_[slot] * motion_.largest_scale(); }
+  /// How far from a sphere's center its region must reach [L], so that two spheres have no event before their
+  /// regions meet: the largest radius of the present epoch, or more where steps of a potential act farther.
+  double bounding_radius(Slot slot) const { return radii_[slot] * bounding_scale_; }
   double mass(Slot slot) const { return masses_[slot]; }
   bool is_kinematic(Slot slot) const { return std::isinf(masses_[slot]); }
   /// Angular velocity [1/T].
@@ -217,6 +229,38 @@ class HARDBALL_EXPORT World {
   double sphere_volume(const Time& moment) const;
   /// The largest radius that any sphere has in the present epoch [L]; zero in an empty world.
   double largest_radius() const;
+  /// The greatest bounding radius of all spheres [L]; zero in an empty world.
+  double largest_bounding_radius() const;
+
+  /// Whether there are potentials of steps.
+  bool has_steps() const { return !interactions_.steps().empty(); }
+  /// The pairs of spheres that are inside of a step.
+  const PairLevels& pair_levels() const { return levels_; }
+  /// The potential of two spheres that are inside of no step, by its number; StepTable::kNone if none.
+  StepTable::Number potential_of(Slot a, Slot b) const {
+    return is_kinematic(a) && is_kinematic(b) ? StepTable::kNone
+                                              : interactions_.steps().of(species(a), species(b));
+  }
+  /// At which distance two spheres bounce off each other, over the sum of their radii [1]; zero if they may
+  /// take the same place.
+  double core_ratio(Slot a, Slot b) const;
+  /// The energy of all steps that a sphere is inside of, half of each pair's [M L^2 T^-2]. Cost: O(pairs of
+  /// the sphere).
+  double step_energy(Slot slot) const;
+  /// That of all spheres [M L^2 T^-2]. Cost: O(n).
+  double step_energy() const;
+  /// Ties two spheres together by a potential of the step table. Error: no sphere has an id; they are one, or
+  /// tied already; the potential is not a tether. Precondition: assign_levels follows.
+  void add_bond(SphereId a, SphereId b, StepTable::Number potential);
+  /// The bonds by the ids of their spheres, in order. Cost: O(pairs log pairs).
+  std::vector<Bond> bonds() const;
+  /// Finds the levels of all pairs from their distances at `moment`; at the distance of a step those that
+  /// approach each other are inside. To be called once, before the first event: from then on levels are a
+  /// state. Cost: O(n). Error: spheres that are tied are too far apart or too close; a step reaches to half
+  /// of a periodic box.
+  void assign_levels(const Time& moment);
+  /// The same for one sphere that has been added, and others that may be near it. Cost: O(others).
+  void assign_levels(Slot added, std::span<const Slot> others, const Time& moment);
 
   /// The last contact of spheres that passed through each other; before the first, earlier than any.
   const Event& last_passage() const { return last_passage_; }
@@ -240,6 +284,20 @@ class HARDBALL_EXPORT World {
       archive(self.interactions_);
     }
     archive(self.last_passage_);
+    if (archive.version() >= kVersionOfLevels) persist_levels(archive, self);
+  }
+  static constexpr std::uint32_t kVersionOfLevels = 7;  // of archives
+  // By slots, each pair once, in the order of slots.
+  static void persist_levels(auto& archive, auto& self) {
+    std::vector<std::pair<Slot, PairLevel>> pairs;
+    if constexpr (!std::remove_cvref_t<decltype(archive)>::kIsReading) pairs = self.levels_.in_order();
+    archive(pairs);
+    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
+      for (const auto& [slot, pair] : pairs) {
+        archive.require(slot < self.size() && pair.partner < self.size() && slot < pair.partner);
+        self.levels_.set(slot, pair.partner, pair.potential, pair.level);
+      }
+    }
   }
   // Before version 3, the world knew no other interactions than which species pass through each other.
   static void persist_passing(auto& archive, auto& self) {
@@ -253,6 +311,11 @@ class HARDBALL_EXPORT World {
   }
   bool restored();
 
+  void set_level(Slot a, Slot b, StepTable::Number potential, StepPotential::Level level, const Time& moment);
+  void assign_level(Slot a, Slot b, const Time& moment);
+  void check_steps() const;
+  void check_ranges() const;
+  void choose_bounding_scale();
   void set_spin(Slot slot, const Vec3& spin);
   void reshape(Slot slot, double radius, double mass, double inertia_factor);
   void set_state(Slot slot, const SphereState& state);
@@ -280,6 +343,8 @@ class HARDBALL_EXPORT World {
   std::vector<Vec3> spins_;         // none if no sphere spins
   std::vector<SpeciesId> species_;  // none if all are zero
   Interactions interactions_;
+  PairLevels levels_;
+  double bounding_scale_ = 1;
   std::size_t kinematic_count_ = 0;
   bool has_traits_ = false;
   bool has_grown_ = false;
@@ -316,8 +381,25 @@ inline Image nearest_image(const World& world, Slot a, Slot b, const Time& momen
   return world.box().nearest_image(world.unfolded_position(a, moment) - world.unfolded_position(b, moment));
 }
 
-/// The moment at which two spheres touch, `image` being that of `b` which `a` meets; kNever if never.
+/// The next event of two spheres that meet each other alone.
+struct PairEvent {
+  Time time = kNever;
+  bool is_outward = false;  ///< Whether they come to a step from inside.
+};
+
+/// The next event of two spheres with a potential of steps, `image` being that of `b` which `a` meets: a
+/// function of their paths and their level.
+HARDBALL_EXPORT PairEvent next_pair_event(const World& world, Slot a, Slot b, const Image& image);
+
+/// The same for a sphere and one of its pairs.
+HARDBALL_EXPORT PairEvent next_pair_event(const World& world, Slot slot, const PairLevel& pair,
+                                          const Image& image);
+
+/// The moment at which two spheres touch, or come to a step, `image` being that of `b` which `a` meets;
+/// kNever if never.
 inline Time contact_time(const World& world, Slot a, Slot b, const Image& image) {
+  if (world.has_steps()) [[unlikely]]
+    return next_pair_event(world, a, b, image).time;
   return contact_time(world.motion(), world.path(a), world.path(b), world.box().shift(image),
                       world.base_radius(a) + world.base_radius(b));
 }

@@ -197,6 +197,12 @@ void bind_contact(py::module_& module) {
           "outcome", [](const Contact& self) { return kOutcomes[static_cast<std::size_t>(self.outcome)]; },
           "'bounce', 'pass' or 'merge'.")
       .def_property_readonly(
+          "step",
+          [](const Contact& self) {
+            return self.step.happens() ? std::optional<StepAttempt>(self.step) : std::nullopt;
+          },
+          "The step of a potential at which the spheres meet, a StepAttempt; None if they touch.")
+      .def_property_readonly(
           "impulse", [](const Contact& self) { return array_of(self.impulse()); }, doc::Contact_impulse)
       .def_property_readonly("normal_speed", &Contact::impact_speed, doc::Contact_impact_speed)
       .def_property_readonly("flight", &Contact::flight, doc::Contact_flight)

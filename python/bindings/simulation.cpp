@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -54,15 +55,25 @@ Simulation started(World world, const EngineOptions& options) {
   return Simulation(std::move(world), options, interruptible());
 }
 
-std::unique_ptr<PythonSimulation> make(const Box& box, const py::object& positions,
-                                       const py::object& velocities, const py::object& radius,
-                                       const py::object& mass, const py::object& spin,
-                                       const py::object& species, const py::object& moment,
-                                       const py::object& gravity, std::vector<Surface> surfaces,
-                                       const std::vector<std::pair<SpeciesId, SpeciesId>>& passing,
-                                       const py::object& response, const py::object& thermostat,
-                                       std::uint64_t seed, const std::string& engine,
-                                       std::optional<double> cell_edge) {
+// A table, or one potential for all spheres.
+StepTable steps_of(const py::object& object) {
+  if (object.is_none()) return {};
+  if (py::isinstance<StepTable>(object)) return object.cast<StepTable>();
+  if (!py::isinstance<StepPotential>(object))
+    throw Error("it is neither a StepTable nor a StepPotential", "steps", "give one of them");
+  StepTable table;
+  table.set_for_all(object.cast<StepPotential>());
+  return table;
+}
+
+std::unique_ptr<PythonSimulation> make(
+    const Box& box, const py::object& positions, const py::object& velocities, const py::object& radius,
+    const py::object& mass, const py::object& spin, const py::object& species, const py::object& moment,
+    const py::object& gravity, std::vector<Surface> surfaces,
+    const std::vector<std::pair<SpeciesId, SpeciesId>>& passing, const py::object& steps,
+    const std::vector<std::array<std::uint32_t, 3>>& bonds, const py::object& response,
+    const py::object& thermostat, std::uint64_t seed, const std::string& engine,
+    std::optional<double> cell_edge) {
   World world(box, vector_of(gravity, "gravity", box.is_flat()), std::move(surfaces));
   const std::vector<Sphere> spheres =
       spheres_of(positions, velocities, radius, mass, spin, species, moment, box.is_flat());
@@ -71,7 +82,14 @@ std::unique_ptr<PythonSimulation> make(const Box& box, const py::object& positio
   const std::optional<ResponseTable> built_in = response_table_of(response);
   ResponseTable table = built_in.value_or(ResponseTable());
   for (const auto& [first, second] : passing) table.set(first, second, Passing());
-  world.set_interactions(table);
+  Interactions interactions(table);
+  interactions.set_steps(steps_of(steps));
+  world.set_interactions(interactions);
+  for (const auto& [first, second, potential] : bonds) {
+    if (potential >= StepTable::kNone)
+      throw Error("there is no potential " + to_text(potential), "bonds", "give a number of add_bond");
+    world.add_bond(first, second, static_cast<StepTable::Number>(potential));
+  }
   const EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
   std::unique_ptr<PythonSimulation> simulation = owned(started(std::move(world), options));
   if (!built_in) simulation->set_response(response);
@@ -145,9 +163,10 @@ void bind_simulation(py::module_& module) {
            py::arg("radius") = 1.0, py::arg("mass") = 1.0, py::arg("spin") = zero, py::arg("species") = 0,
            py::arg("moment") = py::none(), py::arg("gravity") = zero,
            py::arg("surfaces") = std::vector<Surface>(),
-           py::arg("passing") = std::vector<std::pair<SpeciesId, SpeciesId>>(),
-           py::arg("response") = py::none(), py::arg("thermostat") = py::none(), py::arg("seed") = 1,
-           py::arg("engine") = "auto", py::arg("cell_edge") = py::none())
+           py::arg("passing") = std::vector<std::pair<SpeciesId, SpeciesId>>(), py::arg("steps") = py::none(),
+           py::arg("bonds") = std::vector<std::array<std::uint32_t, 3>>(), py::arg("response") = py::none(),
+           py::arg("thermostat") = py::none(), py::arg("seed") = 1, py::arg("engine") = "auto",
+           py::arg("cell_edge") = py::none())
       // Subclasses are made of what the functions below return.
       .def(py::init(
           [](PythonSimulation& made) { return std::make_unique<PythonSimulation>(std::move(made)); }))

@@ -79,6 +79,8 @@ py::dict certificate(const PythonSimulation& self) {
   all["collisions"] = counters.collision;
   all["wall_contacts"] = counters.wall;
   all["mergers"] = tally.mergers();
+  all["steps_passed"] = tally.steps_passed();
+  all["steps_refused"] = tally.steps_refused();
   all["initial_energy"] = tally.initial_energy();
   all["energy"] = world.energy(simulation.now());
   all["momentum"] = array_of(world.momentum(simulation.now()));
@@ -182,6 +184,21 @@ void bind_numbers(SimulationClass& simulation) {
   number(
       "kinetic_energy", [](const Simulation& self) { return self.world().kinetic_energy(self.now()); },
       "Sum of m v^2 / 2 [M L^2 T^-2]; without kinematic spheres. Cost: O(n).");
+  number(
+      "step_energy", [](const Simulation& self) { return self.world().step_energy(); },
+      "The energy of all pairs of spheres that are inside of a step of their potential [M L^2 T^-2]; "
+      "`energy` "
+      "has it, too. Cost: O(n).");
+  number(
+      "bonds",
+      [](const Simulation& self) {
+        py::list bonds;
+        for (const Bond& bond : self.world().bonds())
+          bonds.append(py::make_tuple(bond.first, bond.second, bond.potential));
+        return bonds;
+      },
+      "The spheres that are tied together, as they were given: two ids and the number of a potential for "
+      "each.");
   number(
       "temperature",
       [](const Simulation& self) { return thermal_motion(self.world(), self.now()).temperature(); },

@@ -55,6 +55,19 @@ def species_pairs(values: Any, name: str) -> list[tuple[int, int]]:
     return pairs
 
 
+def bonds_of(values: Any, name: str) -> list[tuple[int, int, int]]:
+    """Error: it is not a list of two ids and the number of a potential each."""
+    try:
+        bonds = [(operator.index(first), operator.index(second), operator.index(kind)) for first, second, kind in values]
+    except (TypeError, ValueError):
+        bonds = [(-1, -1, -1)]
+    if any(not 0 <= number < 2**32 for bond in bonds for number in bond):
+        raise _hardball.Error(
+            f"{name}: it is {values!r}; give two ids and the number of a potential for each, as in [(0, 1, 0)]"
+        )
+    return bonds
+
+
 def engine_name(value: Any) -> str:
     """Error: it is not a string."""
     if not isinstance(value, str):

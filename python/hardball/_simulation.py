@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _hardball
-from ._arguments import engine_name, list_of, real_number, species_pairs, whole_number
+from ._arguments import bonds_of, engine_name, list_of, real_number, species_pairs, whole_number
 from ._notebook import html_of
 from ._scenario import toml_of
 from ._view import View, is_notebook, view_of
@@ -43,6 +43,8 @@ class Simulation(_hardball.Simulation):
         gravity: ArrayLike = (0.0, 0.0, 0.0),
         surfaces: Sequence[_hardball.Surface] = (),
         passing: Sequence[tuple[int, int]] = (),
+        steps: _hardball.StepTable | _hardball.StepPotential | None = None,
+        bonds: Sequence[tuple[int, int, int]] = (),
         response: Response | None = None,
         thermostat: Thermostat | None = None,
         seed: int = 1,
@@ -63,6 +65,9 @@ class Simulation(_hardball.Simulation):
         :param gravity: acceleration of all spheres [L/T^2].
         :param surfaces: walls inside the box, and obstacles.
         :param passing: pairs of species that pass through each other.
+        :param steps: potentials of steps: a StepTable, or one StepPotential for all spheres.
+        :param bonds: spheres that are tied together: the ids of two, their numbers in `positions`, and the number that
+            StepTable.add_bond gave.
         :param response: what contacts do: a coefficient of restitution, a Bounce, a Merging, a ResponseTable, or a
             function that takes a Contact and returns the velocities of both bodies, or an Outcome; elastic by default.
         :param thermostat: an Andersen, a Rescale or a Heating.
@@ -87,6 +92,8 @@ class Simulation(_hardball.Simulation):
             gravity=gravity,
             surfaces=list_of(_hardball.Surface, surfaces, "surfaces"),
             passing=species_pairs(passing, "passing"),
+            steps=steps,
+            bonds=bonds_of(bonds, "bonds"),
             response=response,
             thermostat=thermostat,
             seed=whole_number(seed, "seed"),

@@ -109,5 +109,51 @@ TEST(SpeciesInWords, AreCountedRecordedAndReportedByTheRun) {
   EXPECT_EQ(run_program(folder, {"replay", "out", "--out", "replay.html"}).exit_code, 0);
 }
 
+// What the program tells of potentials of steps and bonds.
+TEST(Potentials, AreDescribedCheckedAndSummarized) {
+  const ScratchFolder folder;
+  write_text(folder / "well.toml", R"([box]
+size = [10.0, 10.0, 10.0]
+boundary = ["periodic", "periodic", "periodic"]
+[[spheres]]
+count = 100
+radius = 0.5
+placement = "random"
+temperature = 1.0
+[[potentials]]
+steps = [{ ratio = 1.2, energy = -2.0 }, { ratio = 1.5, energy = -1.0 }]
+[output]
+directory = "out"
+checkpoint_every = 1e-9
+[run]
+until = 20.0
+)");
+  const Outcome check = run_program(folder, {"check", "well.toml"});
+  EXPECT_NE(check.output.find("energy -2 within 1.2, energy -1 within 1.5"), std::string::npos)
+      << check.output;
+  const Outcome run = run_program(folder, {"run", "well.toml", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  const json summary = json::parse(run.output);
+  EXPECT_GT(summary["events"]["step_passed"], 100);
+  EXPECT_GT(summary["events"]["step_refused"], 10);
+  EXPECT_LT(summary["energy"]["potential"], 0);
+  EXPECT_NEAR(summary["energy"]["initial"].get<double>(), summary["energy"]["final"].get<double>(), 1e-9);
+  const std::string quantities = support::read_text(folder / "out/measures/quantities.csv");
+  for (const char* name :
+       {"potential_energy", "heat_capacity", "passed_outward_1", "rate_inward_2", "g_inside_1"})
+    EXPECT_NE(quantities.find(name), std::string::npos) << name;
+  // Stopped and resumed, it has the same history; and so by every engine.
+  const Outcome half = run_program(folder, {"run", "well.toml", "--until", "10", "--out", "half", "--quiet"});
+  ASSERT_EQ(half.exit_code, 0) << half.messages;
+  const Outcome resumed = run_program(folder, {"resume", "half", "--until", "20", "--json", "--quiet"});
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.messages;
+  EXPECT_EQ(json::parse(resumed.output)["event_log_hash"], summary["event_log_hash"]);
+  EXPECT_EQ(run_program(folder, {"verify", "well.toml", "--until", "5"}).exit_code, 0);
+  const Outcome threads = run_program(folder, {"run", "well.toml", "--threads", "2", "--out", "other"});
+  EXPECT_EQ(threads.exit_code, 2);
+  EXPECT_NE(threads.messages.find("threads cannot share spheres with potentials of steps"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace hardball::species_test

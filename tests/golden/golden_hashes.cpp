@@ -238,6 +238,40 @@ World filled_cone() {
   return world;
 }
 
+// Wells within shoulders.
+Interactions wells() {
+  StepTable steps;
+  steps.set_for_all(StepPotential({.steps = {{1.2, -2}, {1.5, 0.5}}}));
+  Interactions interactions;
+  interactions.set_steps(steps);
+  return interactions;
+}
+
+// Chains of eight beads that attract each other.
+void print_chains() {
+  StepTable steps;
+  steps.set_for_all(StepPotential({.steps = {{1.5, -1}}}));
+  const StepTable::Number bond =
+      steps.add_bond(StepPotential({.steps = {{1.125, -0.5}, {1.25, 0}}, .core = 0.875, .is_tether = true}));
+  Interactions interactions;
+  interactions.set_steps(steps);
+  World world(Box::periodic({20, 20, 20}));
+  Random random(18);
+  for (int chain = 0; chain < 25; ++chain) {
+    for (int bead = 0; bead < 8; ++bead) {
+      const Vec3 place{1.5 + 1.125 * bead, 2 + 4.0 * (chain % 5), 2 + 4.0 * static_cast<double>(chain / 5)};
+      world.add({place, maxwell_velocity(random, 1), 0.5, 1});
+    }
+  }
+  world.set_interactions(interactions);
+  for (SphereId id = 1; id < world.size(); ++id) {
+    if (id % 8 != 0) world.add_bond(id - 1, id, bond);
+  }
+  Simulation simulation(std::move(world));
+  simulation.run_contacts(20000);
+  std::printf("chains %016llx\n", static_cast<unsigned long long>(simulation.event_log_hash()));
+}
+
 World two_spheres() {
   World world(Box::walls({10, 10, 10}));
   world.add({{2.5, 3, 4}, {1, 0.3, -0.7}, 1.5, 1});
@@ -288,4 +322,6 @@ int main() {
                {.rate = 0.1, .until_packing_fraction = 0.5});
   print_growth("growing_in_a_cone", filled_cone(), {.rate = 0.05, .until_compressibility = 1000});
   print_packing("jammed_mixture");
+  print("wells", random_gas(Box::periodic({20, 20, 20}), cube, 600, 0.5, 1.5, 19), 20000, wells());
+  print_chains();
 }

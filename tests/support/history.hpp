@@ -39,7 +39,7 @@ inline std::vector<EngineVariant> engine_variants(const World& world) {
     if (edge) variant.name += ", edge " + to_text(*edge);
     variants.push_back(variant);
   };
-  const double diameter = world.size() > 0 ? 2 * world.largest_radius() : 1;
+  const double diameter = world.size() > 0 ? 2 * world.largest_bounding_radius() : 1;
   double extent = 20 * diameter;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_open(axis)) extent = std::max(extent, 1.5 * world.box().size()[axis]);

@@ -16,6 +16,15 @@ inline ResponseTable passing(std::initializer_list<std::pair<SpeciesId, SpeciesI
   return table;
 }
 
+/// All spheres have this potential of steps.
+inline Interactions stepping(const StepRules& rules) {
+  StepTable table;
+  table.set_for_all(StepPotential(rules));
+  Interactions interactions;
+  interactions.set_steps(table);
+  return interactions;
+}
+
 /// A world with these interactions.
 inline World interacting(World world, const Interactions& interactions) {
   world.set_interactions(interactions);

@@ -14,6 +14,7 @@
 #include "hardball/measure/csv.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/measurement.hpp"
 
 namespace hardball::measures_test {
@@ -36,7 +37,8 @@ std::vector<std::string> names_of(const std::vector<Measurement>& measurements) 
 }
 
 TEST(Measures, AreThoseThatAreNamed) {
-  const World world = support::make_gas({.count = 20});
+  const World gas = support::make_gas({.count = 20});
+  const World world = support::interacting(gas, support::stepping({.steps = {{1.5, -1}}}));
   const std::vector<std::string> known(measure_names().begin(), measure_names().end());
   Measures every({.names = known});
   every.sample(world, Time(0));
@@ -51,6 +53,11 @@ TEST(Measures, AreThoseThatAreNamed) {
   });
   EXPECT_EQ(others.size() + 5, known.size());
   EXPECT_EQ(names_of(all.results(world, Time(1))), others);
+  // Without potentials there is nothing to tell of steps.
+  Measures of_gas;
+  of_gas.sample(gas, Time(0));
+  std::erase(others, "steps");
+  EXPECT_EQ(names_of(of_gas.results(gas, Time(1))), others);
   Measures two({.names = {"temperature", "pressure", "pressure"}});
   two.sample(world, Time(0));
   EXPECT_EQ(names_of(two.results(world, Time(1))), (std::vector<std::string>{"pressure", "temperature"}));

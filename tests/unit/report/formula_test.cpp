@@ -9,6 +9,7 @@
 #include "hardball/measure/measures.hpp"
 #include "support/discs.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/page.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -84,8 +85,9 @@ void expect_set(const World& world) {
 }
 
 TEST(Formula, SetsThoseOfAllMeasures) {
-  expect_set(support::make_gas({.count = 20}));
-  expect_set(support::make_discs(20, 0.1, 1));
+  const Interactions well = support::stepping({.steps = {{1.5, -1}}});
+  expect_set(support::interacting(support::make_gas({.count = 20}), well));
+  expect_set(support::interacting(support::make_discs(20, 0.1, 1), well));
 }
 
 // A page with this in it.

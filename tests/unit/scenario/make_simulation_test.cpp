@@ -7,7 +7,6 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/scenario/make_responses.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "support/interacting.hpp"
 

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Potentials of steps: exit times against a hundred digits, and random worlds with wells, shoulders and
+// chains, one history for all engines, however the run is split.
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "hardball/geometry/exit_time.hpp"
+#include "hardball/numbers/random.hpp"
+#include "support/effort.hpp"
+#include "support/history.hpp"
+#include "support/stepped.hpp"
+
+namespace hardball::steps_test {
+namespace {
+
+using Long = boost::multiprecision::cpp_bin_float_100;
+using support::History;
+using support::RandomWorld;
+
+Long dot(const Vec3& a, const Vec3& b) {
+  return Long(a.x) * Long(b.x) + Long(a.y) * Long(b.y) + Long(a.z) * Long(b.z);
+}
+
+struct Passage {
+  Vec3 separation;
+  Vec3 velocity;
+  double reach;
+};
+
+// The last time at which |r + v t| is the reach, of points that are not apart, or approach each other.
+Long plain_time_to_exit(const Passage& passage) {
+  const Long a = dot(passage.velocity, passage.velocity);
+  const Long b = dot(passage.separation, passage.velocity);
+  const Long c = dot(passage.separation, passage.separation) - Long(passage.reach) * Long(passage.reach);
+  if (c >= 0 && b >= 0) return 0;
+  const Long d = b * b - a * c;
+  return (d > 0 ? Long(-b + sqrt(d)) : Long(-b)) / a;
+}
+
+// Deep inside, at the edge, beyond it by rounding; straight through, along the edge; fast and slow.
+Passage make_passage(Random& random) {
+  const auto exponent = [&](double least) { return std::pow(10, least * random.uniform()); };
+  const Vec3 direction = random.direction();
+  const double reach = 0.5 + random.uniform();
+  const double kind = random.uniform();
+  const double distance = kind < 0.3   ? reach * random.uniform()
+                          : kind < 0.8 ? reach * (1 - exponent(-16))
+                                       : reach * (1 + 1e-16 * random.uniform());
+  Vec3 velocity = (random.uniform() < 0.5 ? 1 : exponent(-8)) * random.direction();
+  if (random.uniform() < 0.4) {
+    const double speed = length(velocity);
+    velocity = velocity - hardball::dot(velocity, direction) * direction +
+               ((random.uniform() - 0.5) * speed * exponent(-16)) * direction;
+  }
+  return {distance * direction, velocity, reach};
+}
+
+TEST(ExitTime, AgreesWithAHundredDigits) {
+  Random random(1);
+  int grazing = 0;
+  for (std::size_t i = 0; i < support::cases(200000); ++i) {
+    const Passage passage = make_passage(random);
+    const double found = time_to_exit<double>(passage.separation, passage.velocity, passage.reach);
+    const Long expected = plain_time_to_exit(passage);
+    const double speed = length(passage.velocity);
+    const double unit = 0x1p-53 * passage.reach / speed;
+    ASSERT_LE(abs(Long(found) - expected), Long(64 * unit)) << i;
+    if (found > 0 && expected > 0) {
+      const Long a = dot(passage.velocity, passage.velocity) * Long(found) * Long(found);
+      const Long b = dot(passage.separation, passage.velocity) * Long(found);
+      const Long distance = sqrt(dot(passage.separation, passage.separation) + 2 * b + a);
+      const double beyond = std::max(0.0, length(passage.separation) - passage.reach);
+      ASSERT_LE(abs(distance - Long(passage.reach)), Long(8 * 0x1p-53 * passage.reach + beyond)) << i;
+    }
+    ASSERT_TRUE(support::same_bits(
+        found, time_to_exit<double>(-passage.separation, -passage.velocity, passage.reach)));
+    grazing += found > 0 && found < 1e-3 * passage.reach / speed ? 1 : 0;
+  }
+  EXPECT_GT(grazing, static_cast<int>(support::cases(20000)));
+}
+
+TEST(ExitTime, OfSpheresAtRestIsNever) {
+  EXPECT_EQ(time_to_exit<double>({0.5, 0, 0}, {}, 1), std::numeric_limits<double>::infinity());
+}
+
+TEST(ExitTime, BeyondReachIsNowWhenReceding) {
+  EXPECT_EQ(time_to_exit<double>({1.1, 0, 0}, {1, 0, 0}, 1), 0);
+  EXPECT_EQ(time_to_exit<double>({1, 0, 0}, {0, 1, 0}, 1), 0);
+  // Approaching, they leave on the other side, or where they are nearest.
+  EXPECT_DOUBLE_EQ(time_to_exit<double>({1.1, 0, 0}, {-1, 0, 0}, 1), 2.1);
+  EXPECT_DOUBLE_EQ(time_to_exit<double>({1, 1, 0}, {-1, 0, 0}, 1), 1);
+}
+
+constexpr std::uint64_t kWorlds = 3000;
+constexpr std::uint64_t kParts = 6;
+
+struct Outcome {
+  History history;
+  double energy = 0;
+  std::size_t pairs = 0;
+};
+
+Outcome outcome_of(const Simulation& simulation, History history) {
+  return {std::move(history), simulation.world().energy(simulation.now()),
+          simulation.world().pair_levels().size()};
+}
+
+// Runs on in pieces, of a copy, or of what has been saved and loaded, with looks ahead in between.
+Outcome run_in_pieces(Simulation simulation, const RunLimits& limits, Random& random) {
+  RunLimits left = limits;
+  History history;
+  bool is_whole = false;
+  while (!is_whole) {
+    RunLimits piece = left;
+    if (random.uniform() < 0.5) piece.contacts = std::min<std::uint64_t>(left.contacts, random.bits() % 9);
+    if (random.uniform() < 0.3) piece.steps = 1 + random.bits() % 20;
+    is_whole = piece.contacts == left.contacts && piece.steps == left.steps;
+    const std::uint64_t before = simulation.counters().contacts();
+    history = support::run_on(simulation, piece);
+    if (!history.failure.empty()) break;
+    left.contacts -= simulation.counters().contacts() - before;
+    if (random.uniform() < 0.2) simulation = Simulation(simulation);
+    if (random.uniform() < 0.2) simulation = Simulation::load(simulation.save());
+    if (random.uniform() < 0.2) static_cast<void>(simulation.next_contact(left.until.high));
+    if (random.uniform() < 0.2) static_cast<void>(simulation.contacts_within(left.until.high / 20, 8));
+  }
+  if (history.failure.empty()) simulation.validate();
+  return outcome_of(simulation, std::move(history));
+}
+
+// The levels of all pairs are what the distances say, but for rounding.
+void expect_levels(const Simulation& simulation) {
+  const World& world = simulation.world();
+  for (Slot a = 0; a < world.size(); ++a) {
+    for (Slot b = 0; b < a; ++b) {
+      const PairLevel* const pair = world.pair_levels().find(a, b);
+      const StepTable::Number number = pair ? pair->potential : world.potential_of(a, b);
+      if (number == StepTable::kNone) continue;
+      const StepPotential& potential = world.interactions().steps()[number];
+      const int level = pair ? pair->level : 0;
+      const Image image = nearest_image(world, a, b, simulation.now());
+      const double distance = length(separation_at(world.motion(), world.path(a), world.path(b),
+                                                   world.box().shift(image), simulation.now()));
+      const double radii = world.base_radius(a) + world.base_radius(b);
+      const double rounding = 1e-9 * radii + coordinate_error(world, a, simulation.now()) +
+                              coordinate_error(world, b, simulation.now());
+      if (level > 0) {
+        ASSERT_LE(distance, potential.outer_ratio(static_cast<std::uint8_t>(level)) * radii + rounding);
+      }
+      ASSERT_GE(distance, potential.inner_ratio(static_cast<std::uint8_t>(level)) * radii - rounding);
+    }
+  }
+}
+
+class StepsAgree : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(StepsAgree, OnRandomWorlds) {
+  std::uint64_t contacts = 0;
+  std::uint64_t passed = 0;
+  std::uint64_t refused = 0;
+  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
+    const RandomWorld made = support::make_stepped_world(seed);
+    SCOPED_TRACE(made.name);
+    Random random(seed);
+    const RunLimits limits{.until = Time(2 * made.until), .contacts = 100 + 100 * (seed % 5)};
+    std::optional<Outcome> expected;
+    const std::vector<support::EngineVariant> variants = support::engine_variants(made.world);
+    for (const support::EngineVariant& variant : variants) {
+      SCOPED_TRACE(variant.name);
+      try {
+        Simulation simulation(made.world, variant.options);
+        const double before = simulation.world().energy(simulation.now());
+        const bool is_split = expected && variant.name == variants.back().name;
+        Outcome outcome;
+        if (is_split) {
+          outcome = run_in_pieces(simulation, limits, random);
+        } else {
+          if (!expected) {
+            simulation.on_contact([&](const Contact& contact) {
+              if (contact.step.happens()) ++(contact.step.passes ? passed : refused);
+            });
+          }
+          outcome = outcome_of(simulation, support::run_on(simulation, limits));
+          if (outcome.history.failure.empty()) simulation.validate();
+          ASSERT_NO_FATAL_FAILURE(expect_levels(simulation));
+          const std::optional<Restitution> response = made.world.interactions().table().one_for_all();
+          if (response && response->coefficient() == 1 && made.world.surfaces().empty() &&
+              made.world.box().has_plain_faces()) {
+            const double scale = made.world.kinetic_energy(Time(0)) + std::fabs(before);
+            EXPECT_NEAR(outcome.energy, before, 1e-12 * scale);
+          }
+        }
+        if (!expected) expected = outcome;
+        ASSERT_EQ(support::difference(expected->history, outcome.history), "");
+        ASSERT_EQ(expected->pairs, outcome.pairs);
+        ASSERT_TRUE(support::same_bits(expected->energy, outcome.energy));
+      } catch (const Error& error) {
+        ASSERT_EQ(error.where(), "cell edge") << error.what();
+      } catch (const BrokenInvariant& error) {
+        FAIL() << error.what();
+      }
+    }
+    contacts += expected->history.contacts;
+  }
+  EXPECT_GT(contacts, 50 * support::cases(kWorlds) / kParts);
+  EXPECT_GT(passed, 10 * support::cases(kWorlds) / kParts);
+  EXPECT_GT(refused, 10 * support::cases(kWorlds) / kParts);
+}
+
+// A listener that removes and adds spheres, some of them within steps of others, and changes velocities.
+TEST_P(StepsAgree, WhileSpheresComeAndGo) {
+  std::uint64_t removed = 0;
+  std::uint64_t added = 0;
+  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds / 4); seed += kParts) {
+    const RandomWorld made = support::make_stepped_world(seed + 50000);
+    SCOPED_TRACE(made.name);
+    std::optional<Outcome> expected;
+    for (const support::EngineVariant& variant : support::engine_variants(made.world)) {
+      SCOPED_TRACE(variant.name);
+      try {
+        Simulation simulation(made.world, variant.options);
+        std::uint64_t contacts = 0;
+        simulation.on_contact([&](const Contact& contact) {
+          ++contacts;
+          if (contacts % 7 == 0) simulation.change_velocity(contact.first, -1.5 * contact.after.first);
+          if (contacts % 11 == 0 && contact.is_collision() && simulation.size() > 3) {
+            simulation.remove(contact.second);
+            removed += expected ? 0U : 1U;
+          }
+          if (contacts % 5 == 0) {
+            const Vec3 apart = simulation.position(contact.first) - contact.position;
+            const double radius = 0.3 * contact.first_radius;
+            Vec3 beside = contact.position - 1.35 * contact.first_radius * contact.normal() + apart;
+            if (made.world.box().is_flat()) beside.z = 0;
+            try {
+              simulation.add({.position = beside, .velocity = contact.before.first, .radius = radius});
+              added += expected ? 0U : 1U;
+            } catch (const Error&) {
+              // There is no room.
+            }
+          }
+        });
+        const RunLimits limits{.until = Time(made.until), .contacts = 150};
+        Outcome outcome = outcome_of(simulation, support::run_on(simulation, limits));
+        if (outcome.history.failure.empty()) simulation.validate();
+        ASSERT_NO_FATAL_FAILURE(expect_levels(simulation));
+        if (!expected) expected = outcome;
+        ASSERT_EQ(support::difference(expected->history, outcome.history), "");
+        ASSERT_EQ(expected->pairs, outcome.pairs);
+      } catch (const Error& error) {
+        ASSERT_EQ(error.where(), "cell edge") << error.what();
+      } catch (const BrokenInvariant& error) {
+        FAIL() << error.what();
+      }
+    }
+  }
+  EXPECT_GT(removed, support::cases(kWorlds / 4) / kParts);
+  EXPECT_GT(added, support::cases(kWorlds / 4) / kParts);
+}
+
+INSTANTIATE_TEST_SUITE_P(Part, StepsAgree, testing::Range(std::uint64_t{0}, kParts));
+
+}  // namespace
+}  // namespace hardball::steps_test
