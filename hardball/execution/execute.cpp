@@ -197,7 +197,8 @@ void contact_at(const World& world, const Event& event, const Participants& part
   if (world.motion().has_growth()) [[unlikely]]
     describe_growth(world.motion().growth(), contact);
   contact.outcome = ContactOutcome::bounce;
-  contact.step = {};
+  if (contact.step.happens()) [[unlikely]]
+    contact.step = {};
   // Without traits, spins are zero unless the last response returned others that were refused.
   if (world.has_traits() || done.may_turn) [[unlikely]]
     describe_traits(world, participants, contact);

@@ -53,7 +53,8 @@ double World::largest_bounding_radius() const {
   return radii_.largest() * bounding_scale_;
 }
 
-void World::choose_bounding_scale() {
+void World::note_reaches() {
+  has_steps_ = !interactions_.steps().empty();
   bounding_scale_ = std::max(motion_.largest_scale(), interactions_.steps().range());
 }
 

@@ -146,7 +146,7 @@ World World::without_spheres() const {
   world.motion_ = motion_;
   world.surfaces_ = surfaces_;
   world.interactions_ = interactions_;
-  world.bounding_scale_ = bounding_scale_;
+  world.note_reaches();
   world.has_grown_ = has_grown_;
   world.last_passage_ = last_passage_;
   return world;
@@ -264,8 +264,8 @@ void World::reshape(Slot slot, double radius, double mass, double inertia_factor
 
 void World::set_interactions(const Interactions& interactions) {
   interactions_ = interactions;
+  note_reaches();
   check_steps();
-  choose_bounding_scale();
   note_traits();
   if (motion_.has_growth()) refuse_growth_with_others();
 }
@@ -280,14 +280,14 @@ void World::set_growth(const Growth& growth) {
                 "growth", "end the growth earlier");
   }
   motion_.set_growth(growth);
-  choose_bounding_scale();
+  note_reaches();
 }
 
 void World::end_growth(const Time& moment) {
   HARDBALL_CHECK(!has_journal_);
   radii_.multiply(motion_.scale_at(moment));
   motion_.set_growth({});
-  choose_bounding_scale();
+  note_reaches();
   // When the present paths began, spheres of these sizes might have overlapped.
   for (Slot slot = 0; slot < size(); ++slot) rewrite_path(slot, moment, velocity(slot, moment));
 }
@@ -412,8 +412,8 @@ bool World::restored() {
   for (const auto& [slot, pair] : levels_.in_order()) {
     if (pair.potential >= steps.size() || pair.level > steps[pair.potential].steps()) return false;
   }
+  note_reaches();
   check_steps();
-  choose_bounding_scale();
   check_setting(box_, motion_, surfaces_);
   check_growth(motion_.growth());
   std::vector<SphereId> sorted(ids_.begin(), ids_.end());

@@ -233,7 +233,7 @@ class HARDBALL_EXPORT World {
   double largest_bounding_radius() const;
 
   /// Whether there are potentials of steps.
-  bool has_steps() const { return !interactions_.steps().empty(); }
+  bool has_steps() const { return has_steps_; }
   /// The pairs of spheres that are inside of a step.
   const PairLevels& pair_levels() const { return levels_; }
   /// The potential of two spheres that are inside of no step, by its number; StepTable::kNone if none.
@@ -315,7 +315,7 @@ class HARDBALL_EXPORT World {
   void assign_level(Slot a, Slot b, const Time& moment);
   void check_steps() const;
   void check_ranges() const;
-  void choose_bounding_scale();
+  void note_reaches();
   void set_spin(Slot slot, const Vec3& spin);
   void reshape(Slot slot, double radius, double mass, double inertia_factor);
   void set_state(Slot slot, const SphereState& state);
@@ -347,6 +347,7 @@ class HARDBALL_EXPORT World {
   double bounding_scale_ = 1;
   std::size_t kinematic_count_ = 0;
   bool has_traits_ = false;
+  bool has_steps_ = false;
   bool has_grown_ = false;
   bool has_journal_ = false;
   Journal journal_;
