@@ -240,6 +240,8 @@ ExitCode check(const Options& options) {
     add("  time on one core", "about " + to_one_digit(expected_seconds(outlook, until, length)) + " s");
   }
   for (const std::string& warning : warnings_of(scenario, statistics)) add("note", warning);
+  if (scenario.has_steps())
+    add("note", "the numbers expected are those of hard spheres: steps of potentials add events");
   if (outlook.is_sample) {
     add("note",
         fmt::format(

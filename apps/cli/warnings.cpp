@@ -124,7 +124,7 @@ std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatisti
   } else if (statistics.mean_speed > 0 && !are_kept_moving(scenario) && scenario.gravity == Vec3{}) {
     const double spheres = static_cast<double>(statistics.spheres);
     const double contacts = spheres * until * (0.5 / mean_free_time(statistics) + wall_rate(statistics));
-    const bool is_known = scenario.walls.empty() && scenario.obstacles.empty();
+    const bool is_known = scenario.walls.empty() && scenario.obstacles.empty() && !scenario.has_steps();
     if (is_known && contacts < 1) {
       warnings.push_back(fmt::format("only {:.2g} contacts are expected until then", contacts));
     }
@@ -132,7 +132,7 @@ std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatisti
   const std::string axes = open_axes(scenario, statistics.box);
   const double apart =
       std::max({statistics.extent.x, statistics.extent.y, statistics.extent.z}) / statistics.mean_speed;
-  if (!axes.empty() && statistics.spheres > 1 && apart < until) {
+  if (!axes.empty() && statistics.spheres > 1 && apart < until && scenario.bonds.empty()) {
     warnings.push_back(fmt::format(
         "the space is open along {}: after a time of {:.2g} the spheres have flown apart and hardly meet",
         axes, apart));

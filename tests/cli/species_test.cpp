@@ -131,6 +131,7 @@ until = 20.0
   const Outcome check = run_program(folder, {"check", "well.toml"});
   EXPECT_NE(check.output.find("energy -2 within 1.2, energy -1 within 1.5"), std::string::npos)
       << check.output;
+  EXPECT_NE(check.output.find("steps of potentials add events"), std::string::npos) << check.output;
   const Outcome run = run_program(folder, {"run", "well.toml", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.messages;
   const json summary = json::parse(run.output);
