@@ -157,7 +157,7 @@ void World::assign_level(Slot a, Slot b, const Time& moment) {
     }
     level = std::max<StepPotential::Level>(level, 1);
   }
-  set_level(a, b, number, level, moment);
+  if (level != (pair ? pair->level : 0)) set_level(a, b, number, level, moment);
 }
 
 void World::set_level(Slot a, Slot b, StepTable::Number potential, StepPotential::Level level,
