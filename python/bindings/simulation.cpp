@@ -56,7 +56,7 @@ Simulation started(World world, const EngineOptions& options) {
 }
 
 // A table, or one potential for all spheres.
-StepTable steps_of(const py::object& object) {
+StepTable step_table_of(const py::object& object) {
   if (object.is_none()) return {};
   if (py::isinstance<StepTable>(object)) return object.cast<StepTable>();
   if (!py::isinstance<StepPotential>(object))
@@ -66,7 +66,7 @@ StepTable steps_of(const py::object& object) {
   return table;
 }
 
-std::unique_ptr<PythonSimulation> make(
+std::unique_ptr<PythonSimulation> make_simulation(
     const Box& box, const py::object& positions, const py::object& velocities, const py::object& radius,
     const py::object& mass, const py::object& spin, const py::object& species, const py::object& moment,
     const py::object& gravity, std::vector<Surface> surfaces,
@@ -83,7 +83,7 @@ std::unique_ptr<PythonSimulation> make(
   ResponseTable table = built_in.value_or(ResponseTable());
   for (const auto& [first, second] : passing) table.set(first, second, Passing());
   Interactions interactions(table);
-  interactions.set_steps(steps_of(steps));
+  interactions.set_steps(step_table_of(steps));
   world.set_interactions(interactions);
   for (const auto& [first, second, potential] : bonds) {
     if (potential >= StepTable::kNone)
@@ -159,7 +159,7 @@ void bind_simulation(py::module_& module) {
   const py::tuple zero = py::make_tuple(0.0, 0.0, 0.0);
   SimulationClass simulation(module, "Simulation", doc::Simulation, py::custom_type_setup(&collect_garbage));
   simulation
-      .def(py::init(&make), py::arg("box"), py::kw_only(), py::arg("positions"), py::arg("velocities") = zero,
+      .def(py::init(&make_simulation), py::arg("box"), py::kw_only(), py::arg("positions"), py::arg("velocities") = zero,
            py::arg("radius") = 1.0, py::arg("mass") = 1.0, py::arg("spin") = zero, py::arg("species") = 0,
            py::arg("moment") = py::none(), py::arg("gravity") = zero,
            py::arg("surfaces") = std::vector<Surface>(),

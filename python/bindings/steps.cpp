@@ -20,7 +20,7 @@ namespace py = pybind11;
 
 using Steps = std::vector<std::pair<double, double>>;
 
-StepPotential make(const Steps& steps, double core, bool tether) {
+StepPotential make_step_potential(const Steps& steps, double core, bool tether) {
   StepRules rules{.core = core, .is_tether = tether};
   for (const auto& [ratio, energy] : steps) rules.steps.push_back({ratio, energy});
   return StepPotential(rules);
@@ -49,7 +49,8 @@ std::string text_of(const StepPotential& potential) {
 
 void bind_steps(py::module_& module) {
   py::class_<StepPotential>(module, "StepPotential", doc::StepPotential)
-      .def(py::init(&make), py::arg("steps"), py::kw_only(), py::arg("core") = 1.0, py::arg("tether") = false,
+      .def(py::init(&make_step_potential), py::arg("steps"), py::kw_only(), py::arg("core") = 1.0,
+           py::arg("tether") = false,
            "`steps` are pairs of a ratio, the distance of the centers over the sum of the radii, and the "
            "energy [M L^2 T^-2] inside of it, from the inside to the outside. The spheres bounce off each "
            "other at the ratio `core`, zero if they may take the same place. With `tether` they never part "
@@ -63,7 +64,8 @@ void bind_steps(py::module_& module) {
             return py::make_tuple(steps_of(self), self.rules().core, self.is_tether());
           },
           [](const py::tuple& state) {
-            return make(state[0].cast<Steps>(), state[1].cast<double>(), state[2].cast<bool>());
+            return make_step_potential(state[0].cast<Steps>(), state[1].cast<double>(),
+                                       state[2].cast<bool>());
           }))
       .def("__repr__", [](const StepPotential& self) { return text_of(self); });
   py::class_<StepTable>(module, "StepTable", doc::StepTable)
