@@ -199,6 +199,11 @@ ExitCode check(const Options& options) {
   add("scenario", scenario.name);
   add("spheres", to_text(statistics.spheres));
   add("box", describe(space.box()));
+  const Shear& shear = space.box().shear();
+  if (shear.is_present()) {
+    add("shear",
+        "rate " + readable(shear.rate) + ", a strain of " + readable(shear.rate * until) + " in all");
+  }
   const Vec3& gravity = space.motion().gravity();
   if (gravity != Vec3{}) {
     add("gravity", to_text(gravity.x) + ", " + to_text(gravity.y) + ", " + to_text(gravity.z));

@@ -39,6 +39,8 @@ Scenario shared(Scenario scenario) {
   constexpr const char* kRemedy = "leave it out, or run it in one process";
   if (scenario.thermostat) throw Error("processes cannot share a thermostat", scenario.name, kRemedy);
   if (scenario.growth) throw Error("processes cannot share a growth", scenario.name, kRemedy);
+  if (scenario.shear.is_present())
+    throw Error("processes cannot share a sheared box", scenario.name, kRemedy);
   if (scenario.has_steps())
     throw Error("processes cannot share spheres with potentials of steps", scenario.name, kRemedy);
   if (scenario.recording) throw Error("processes cannot share a recording", scenario.name, kRemedy);

@@ -56,6 +56,7 @@ std::string box_text(const SnapshotBox& box) {
     if (box.is_periodic[axis]) periodic += (periodic.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
   }
   return size + (periodic.empty() ? ", not periodic" : ", periodic along " + periodic) +
+         (box.tilt == 0 ? "" : ", tilted by " + to_text(box.tilt)) +
          (box.is_unbounded ? ", unbounded: it spans the spheres" : "");
 }
 

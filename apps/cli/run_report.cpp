@@ -85,8 +85,9 @@ std::vector<Quantity> rates(const Simulation& simulation, const GasStatistics& s
   const World& world = simulation.world();
   const SpeciesList species(world);
   const FluidTheory fluid(world, species);
-  const bool theory = is_uniform(world) && !simulation.thermostat() && !simulation.growth() &&
-                      has_theory(world, statistics) && (fluid.holds() || has_one_mass(species));
+  const bool theory = is_uniform(world) && !world.box().is_sheared() && !simulation.thermostat() &&
+                      !simulation.growth() && has_theory(world, statistics) &&
+                      (fluid.holds() || has_one_mass(species));
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
     if (std::isfinite(value)) all.push_back({name, unit, value, kNoNumber, theory ? expected : kNoNumber});
   };
@@ -251,6 +252,11 @@ report::Report run_report(const Options& options, const Scenario& scenario,
                          .energy = thermostat->energy()};
   }
 
+  const Shear& shear = simulation.world().box().shear();
+  if (shear.is_present()) {
+    const double energy = simulation.world().kinetic_energy(simulation.now());
+    report.shear = {.rate = shear.rate, .work = simulation.tally().shear_work(energy)};
+  }
   if (const auto& growth = simulation.growth()) {
     report.growth = {.state = std::string(hardball::name_of(growth->state())),
                      .epochs = growth->epochs(),

@@ -82,6 +82,8 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
       thermostat_(state.thermostat),
       growth_(state.growth),
       growth_work_(state.sums.tally.growth_work()),
+      shear_(state.world.box().shear()),
+      shear_work_(state.sums.tally.shear_work(state.totals.kinetic_energy.value())),
       engine_(name_of(state.engine)),
       cell_edge_(state.cell_edge > 0 ? state.cell_edge : kNoNumber),
       seconds_(seconds),
@@ -96,6 +98,7 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
   compressibility_ = box.is_all(Boundary::periodic) && state.world.surfaces().empty() && !state.growth
                          ? tally.compressibility(state.now)
                          : kNoNumber;
+  if (shear_.is_present()) shear_displacement_ = box.images().displacement_in_box(state.now);
   wall_pressure_ = is_bounded && box.is_any(Boundary::wall) ? tally.wall_pressure(box, state.now) : kNoNumber;
 }
 
@@ -147,6 +150,12 @@ std::string Summary::json() const {
                       {"compressibility", number_or_null(growth_->compressibility())},
                       {"work", growth_work_},
                       {"energy", growth_->energy()}};
+  }
+  if (shear_.is_present()) {
+    json["shear"] = {{"rate", shear_.rate},
+                     {"strain", shear_.rate * time_},
+                     {"work", shear_work_},
+                     {"displacement", shear_displacement_}};
   }
   json["engine"] = engine_;
   json["cell_edge"] = number_or_null(cell_edge_);
@@ -209,6 +218,8 @@ std::string Summary::table() const {
     add("  energy",
         fmt::format("{:.6g} by growing, {:.6g} by halving velocities", growth_work_, growth_->energy()));
   }
+  if (shear_.is_present())
+    add("shear", fmt::format("strain {:.6g}, work {:.6g}", shear_.rate * time_, shear_work_));
   add("engine", engine_);
   add_if_meant("cell edge", cell_edge_);
   if (counters_.rebuilds > 0) add("cells rebuilt", fmt::format("{} times", counters_.rebuilds));

@@ -110,6 +110,9 @@ class Summary {
   std::optional<Thermostat> thermostat_;
   std::optional<GrowthSchedule> growth_;
   double growth_work_ = 0;
+  Shear shear_;
+  double shear_work_ = 0;
+  double shear_displacement_ = 0;
   std::string engine_;
   double cell_edge_;
   Seconds seconds_;

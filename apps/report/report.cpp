@@ -67,10 +67,11 @@ double energy_change(const Report& report) {
   return relative_to_energy(report, report.final_energy - report.initial_energy);
 }
 
-// By surfaces, the thermostat and growth.
+// By surfaces, the thermostat, growth and shear.
 double given_energy(const Report& report) {
   const double by_growth = report.growth ? report.growth->work + report.growth->energy : 0;
-  return work_of_surfaces(report) + (report.thermostat ? report.thermostat->energy : 0) + by_growth;
+  return work_of_surfaces(report) + (report.thermostat ? report.thermostat->energy : 0) + by_growth +
+         (report.shear ? report.shear->work : 0);
 }
 
 // What gave this energy; empty if nothing did.
@@ -78,6 +79,7 @@ std::string givers(const Report& report) {
   std::vector<std::string> givers;
   if (work_of_surfaces(report) != 0) givers.emplace_back("surfaces");
   if (report.growth) givers.emplace_back("growth");
+  if (report.shear) givers.emplace_back("the shear");
   if (report.thermostat) givers.emplace_back("the thermostat");
   std::string text;
   for (std::size_t k = 0; k < givers.size(); ++k) {
@@ -167,7 +169,7 @@ std::string verdict(const Report& report, const Agreement& agreement) {
   }
   const double given = given_energy(report);
   const std::string by = givers(report);
-  const bool is_work_alone = !report.thermostat && !report.growth;
+  const bool is_work_alone = !report.thermostat && !report.growth && !report.shear;
   const std::string gift = is_work_alone ? "the work of the surfaces" : "what " + by + " gave";
   if (!is_elastic(report)) {
     const double taken = report.initial_energy - report.final_energy + given;
@@ -242,6 +244,10 @@ std::string certificate(const Report& report) {
                                              growth.epochs, number_text(growth.compressibility, 4))});
     conserved.add_row("work of growth", {in_unit(number_text(growth.work, 10), "M L^2 T^-2")});
     conserved.add_row("given by halving velocities", {in_unit(number_text(growth.energy, 10), "M L^2 T^-2")});
+  }
+  if (report.shear) {
+    conserved.add_row("rate of the shear", {in_unit(number_text(report.shear->rate, 10), "T^-1")});
+    conserved.add_row("work of the shear", {in_unit(number_text(report.shear->work, 10), "M L^2 T^-2")});
   }
   if ((!report.surfaces.empty() || report.thermostat || report.growth) && is_elastic(report)) {
     conserved.add_row("change beyond it", {typeset(number_text(energy_drift(report), 2))});

@@ -55,6 +55,12 @@ struct GrowthReport {
   double energy = 0;  ///< That given by halving velocities, negative [M L^2 T^-2].
 };
 
+/// The shear of the box.
+struct ShearReport {
+  double rate = 0;  ///< [1/T]
+  double work = 0;  ///< The energy that it has given relative to the flow [M L^2 T^-2].
+};
+
 /// One of several species. A number that differs between its spheres is NaN.
 struct SpeciesReport {
   std::string name;                                          ///< As in the scenario; empty if it has none.
@@ -114,6 +120,7 @@ struct Report {
   std::vector<SurfaceReport> surfaces;
   std::optional<ThermostatReport> thermostat;
   std::optional<GrowthReport> growth;
+  std::optional<ShearReport> shear;
   std::vector<Quantity> rates;  ///< With the predictions of kinetic theory.
   CostCurve choice;
   std::vector<Measurement> measurements;

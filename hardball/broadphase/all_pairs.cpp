@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "hardball/errors/error.hpp"
@@ -21,11 +22,13 @@ constexpr double kMargin = 1e-6;
 void AllPairs::build(const World& world, const Time& now, CompactPaths& copies) {
   copies.reset(world, 1, now);
   reset(lines_, world);
+  slid_.assign(world.size(), 0);
   for (Slot slot = 0; slot < world.size(); ++slot) center_interval(world, slot, now);
 }
 
 void AllPairs::insert(const World& world, Slot slot, const Time& now, const CompactPaths&) {
   reset(lines_, world, slot);
+  if (slot == slid_.size()) append_sparingly(slid_, 0.0);
   center_interval(world, slot, now);
 }
 
@@ -47,14 +50,28 @@ AllPairs::Images AllPairs::images_within_reach(const World& world, Slot slot, Sl
   return images;
 }
 
+// Finds the images along x in the layer `above`, which slides on by up to a quarter box.
+void AllPairs::shift_along_x(const World& world, Slot slot, Slot other, std::int32_t above,
+                             Images& images) const {
+  const double size = world.box().size().x;
+  const bool ahead = world.box().images().speed() > 0;
+  const double slid = ahead ? std::max(slid_[slot], slid_[other]) : std::min(slid_[slot], slid_[other]);
+  const double apart = (lines_[other].region.x - lines_[slot].region.x) + above * slid;
+  const double reach = (2 + std::abs(above)) * kHalfInterval * size + world.bounding_radius(slot) +
+                       world.bounding_radius(other) + kMargin * size;
+  images.low[0] = static_cast<std::int32_t>(std::ceil((-reach - apart) / size));
+  images.high[0] = static_cast<std::int32_t>(std::floor((reach - apart) / size));
+}
+
 void AllPairs::collect(const World& world, Slot slot, Candidates& candidates) const {
   candidates.begin(slot, false);
   for (Slot other = 0; other < world.size(); ++other) {
     if (other == slot) continue;
-    const Images images = images_within_reach(world, slot, other);
+    Images images = images_within_reach(world, slot, other);
     Image image;
-    for (image[0] = images.low[0]; image[0] <= images.high[0]; ++image[0]) {
-      for (image[1] = images.low[1]; image[1] <= images.high[1]; ++image[1]) {
+    for (image[1] = images.low[1]; image[1] <= images.high[1]; ++image[1]) {
+      if (world.box().is_sheared()) shift_along_x(world, slot, other, image[1], images);
+      for (image[0] = images.low[0]; image[0] <= images.high[0]; ++image[0]) {
         for (image[2] = images.low[2]; image[2] <= images.high[2]; ++image[2]) {
           candidates.add(other, image, world.box());
         }
@@ -73,13 +90,18 @@ void AllPairs::cross(const World& world, Slot slot, const Time& now, const Compa
 void AllPairs::center_interval(const World& world, Slot slot, const Time& now) {
   lines_[slot].region = world.unfolded_position(slot, now);
   static_cast<void>(
-      world.box().boxes_beyond(lines_[slot].region));  // throws if it has crossed too many boxes
+      world.box().boxes_beyond(lines_[slot].region, now));  // throws if it has crossed too many boxes
+  slid_[slot] = world.box().images().displacement(now).high;
 }
 
 double AllPairs::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const {
   const Vec3 moved = world.unfolded_position(slot, now) - lines_[slot].region;
-  const Vec3 velocity = world.velocity(slot, now);
+  const Vec3 velocity = world.unfolded_velocity(slot, now);
   double soonest = std::numeric_limits<double>::infinity();
+  if (const double speed = std::fabs(world.box().images().speed()); speed > 0) {
+    const double slid = std::fabs(world.box().images().displacement(now).high - slid_[slot]);
+    soonest = std::max(0.0, kHalfInterval * world.box().size().x - slid) / speed;
+  }
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
     const double reach = kHalfInterval * world.box().size()[axis];

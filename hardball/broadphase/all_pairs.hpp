@@ -13,7 +13,7 @@ namespace hardball {
 ///
 /// Along periodic axes a sphere's region is an interval of a quarter box to either side of where it was when
 /// the region was made; it determines which images of the other spheres it can meet before it leaves the
-/// interval. Cost: O(n) per collision.
+/// interval, or those of a sheared box have slid by as much. Cost: O(n) per collision.
 class AllPairs : public WithSphereLines<Vec3> {  // the middles of the intervals
  public:
   /// There is nothing to set.
@@ -28,7 +28,10 @@ class AllPairs : public WithSphereLines<Vec3> {  // the middles of the intervals
   bool admits(const World&, Slot) const { return true; }
   void insert(const World& world, Slot slot, const Time& now, const CompactPaths&);
   void erase(Slot) {}
-  void move(Slot from, Slot to) { lines_[to] = lines_[from]; }
+  void move(Slot from, Slot to) {
+    lines_[to] = lines_[from];
+    slid_[to] = slid_[from];
+  }
   void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const {
     collect(world, slot, candidates);
   }
@@ -42,7 +45,9 @@ class AllPairs : public WithSphereLines<Vec3> {  // the middles of the intervals
   void prefetch_lists(Slot, bool) const {}
   void prefetch_candidates(Slot, bool, const CompactPaths&) const {}
   std::uint64_t left_count() const { return 0; }
-  std::size_t memory_bytes() const { return lines_.capacity() * sizeof(lines_[0]); }
+  std::size_t memory_bytes() const {
+    return lines_.capacity() * sizeof(lines_[0]) + slid_.capacity() * sizeof(double);
+  }
   void validate(const World& world, const Time& now, const CompactPaths&) const;
 
  private:
@@ -52,7 +57,10 @@ class AllPairs : public WithSphereLines<Vec3> {  // the middles of the intervals
   };
 
   Images images_within_reach(const World& world, Slot slot, Slot other) const;
+  void shift_along_x(const World& world, Slot slot, Slot other, std::int32_t above, Images& images) const;
   void center_interval(const World& world, Slot slot, const Time& now);
+
+  LargeVector<double> slid_;  // by how much the image above was displaced when the region was made
 };
 
 static_assert(BroadPhase<AllPairs>);

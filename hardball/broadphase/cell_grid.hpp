@@ -34,7 +34,7 @@ class CellGrid : public WithSphereLines<CellRegion> {
   CellGrid(double edge, double largest_radius, double farthest)
       : wanted_edge_(edge), largest_radius_(largest_radius), farthest_of_guests_(farthest) {}
 
-  static bool supports(const World&, double) { return true; }
+  static bool supports(const World& world, double) { return !world.box().is_sheared(); }
   PhaseLengths lengths() const { return {.cell_edges = cells_.edges()}; }
 
   /// Error: the edge is not positive, or so small that a sphere would lie in hundreds of cells.

@@ -59,7 +59,7 @@ bool fits(const Box& box, double largest_radius) {
 }  // namespace
 
 bool NeighborList::supports(const World& world, double) {
-  return fits(world.box(), world.largest_bounding_radius());
+  return !world.box().is_sheared() && fits(world.box(), world.largest_bounding_radius());
 }
 
 double NeighborList::cell_edge(double largest_radius, double skin) {

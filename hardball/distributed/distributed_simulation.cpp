@@ -345,6 +345,8 @@ DistributedSimulation DistributedSimulation::of(Processes& processes, const Simu
     throw Error("processes cannot share a thermostat", "processes", "resume it in one process");
   if (whole.world().motion().has_growth())
     throw Error("processes cannot share a growth", "processes", "resume it in one process");
+  if (whole.world().box().is_sheared())
+    throw Error("processes cannot share a sheared box", "processes", "resume it in one process");
   if (whole.world().has_steps()) {
     throw Error("processes cannot share spheres with potentials of steps", "processes",
                 "resume it in one process");

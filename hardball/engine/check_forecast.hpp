@@ -42,6 +42,9 @@ bool is_found_in_time(const Forecast& forecast, Slot slot, const Event& contact,
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates.slot(i) == other) return false;
   }
+  for (const Slot across : candidates.across()) {
+    if (across == other) return false;
+  }
   return forecast.plan(slot).crossing() <= contact.time.high;
 }
 
@@ -55,13 +58,15 @@ void validate(const Forecast& forecast) {
     HARDBALL_CHECK(forecast.id(slot) == world.id(slot));
     HARDBALL_CHECK(forecast.plan(slot).time() >= rounded_down(forecast.now()));
     forecast.collect(slot, candidates);
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const Event contact = contact_with(world, candidates, i, forecast.now());
-      const Slot other = candidates.slot(i);
-      if (!contact.happens() || !forecast.phase().are_candidates(slot, other)) continue;
+    const auto check = [&](const Event& contact, Slot other) {
+      if (!contact.happens() || !forecast.phase().are_candidates(slot, other)) return;
       HARDBALL_CHECK(covers(forecast, slot, contact, other) || covers(forecast, other, contact, slot) ||
                      is_found_in_time(forecast, other, contact, slot));
-    }
+    };
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      check(contact_with(world, candidates, i, forecast.now()), candidates.slot(i));
+    for (const Slot other : candidates.across())
+      check(contact_across(world, slot, other, forecast.now()), other);
     for (const PairLevel& pair : world.pair_levels().of(slot)) {
       const Image image = nearest_image(world, slot, pair.partner, forecast.now());
       const Event event = make_collision(next_pair_event(world, slot, pair, image).time, world.id(slot),

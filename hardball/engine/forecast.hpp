@@ -10,6 +10,7 @@
 
 #include "hardball/bounds/compact_paths.hpp"
 #include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/engine/across_filter.hpp"
 #include "hardball/engine/bound_watch.hpp"
 #include "hardball/engine/check_forecast.hpp"
 #include "hardball/engine/predictor.hpp"
@@ -130,6 +131,8 @@ class Forecast {
       } else if (!predict_new(slot)) {
         return predict(slot);
       }
+      if (!candidates_.across().empty()) [[unlikely]]
+        plan_across(candidates_);
     }
     plan_crossing(slot);
   }
@@ -174,7 +177,7 @@ class Forecast {
     bound_watch_.note_bounded();
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
     check_bounds(*this, candidates_, found);
-    plan_contacts(slot, found.least, found.second, found.partner);
+    plan_contacts(candidates_, found.least, found.second, found.partner);
   }
 
   /// The same for two spheres. Both are bounded first: the processor works on them at once.
@@ -191,8 +194,8 @@ class Forecast {
     const auto [of_a, of_b] = predictor_.bound(compact_, candidates_, candidates_of_partner_, now_);
     check_bounds(*this, candidates_, of_a);
     check_bounds(*this, candidates_of_partner_, of_b);
-    plan_contacts(a, of_a.least, of_a.second, of_a.partner);
-    plan_contacts(b, of_b.least, of_b.second, of_b.partner);
+    plan_contacts(candidates_, of_a.least, of_a.second, of_a.partner);
+    plan_contacts(candidates_of_partner_, of_b.least, of_b.second, of_b.partner);
   }
 
   // The event table; see EventTable.
@@ -268,7 +271,10 @@ class Forecast {
   }
 
   void exclude(Candidates& candidates) const;
+  void plan_special_pairs(const Candidates& candidates);
   void plan_pairs(Slot slot);
+  void plan_across(const Candidates& candidates);
+  void plan_if_first(Slot slot, const Event& event, Slot partner);
   PairLevel first_in_order(Slot slot) const;
   void note_exclusions();
 
@@ -310,7 +316,8 @@ class Forecast {
   }
 
   // Takes numbers: structures of this size are passed in memory, which had a call wait for its own arguments.
-  void plan_contacts(Slot slot, double least, double second, Slot partner) {
+  void plan_contacts(const Candidates& candidates, double least, double second, Slot partner) {
+    const Slot slot = candidates.self();
     Plan& own = mutable_plan(slot);
     own.set_bound(least, second, partner, compact_.revision(partner));
     if (has_walls_ && may_meet_wall(world_, slot, own.safe_until(), now_, obstacle_range())) {
@@ -321,8 +328,8 @@ class Forecast {
         own.lower_safe_until(wall.time.high);
       }
     }
-    if (has_steps_) [[unlikely]]
-      plan_pairs(slot);
+    if (has_special_pairs_) [[unlikely]]
+      plan_special_pairs(candidates);
     plan_crossing(slot);
   }
 
@@ -336,8 +343,8 @@ class Forecast {
       if (wall.happens() && wall.time < plan(slot).contact_time())
         mutable_plan(slot).set_wall(wall.time, wall.second);
     }
-    if (has_steps_) [[unlikely]]
-      plan_pairs(slot);
+    if (has_special_pairs_) [[unlikely]]
+      plan_special_pairs(candidates_);
     plan_crossing(slot);
   }
 
@@ -361,7 +368,9 @@ class Forecast {
   HARDBALL_NEVER_INLINE void expire_soon(Slot slot) {
     const double expiry = rounded_down(now_) + compact_.longest_age(slot);
     if (!(expiry < plan(slot).crossing())) return;
-    const bool rests = world_.motion().is_straight() && world_.path(slot).velocity == Vec3{};
+    // In a sheared box it may be the cells that move.
+    const bool rests =
+        world_.motion().is_straight() && !world_.box().is_sheared() && world_.path(slot).velocity == Vec3{};
     mutable_plan(slot).set_renewal(rests ? kNever.high : expiry);
   }
 
@@ -397,6 +406,7 @@ class Forecast {
   bool has_images_of_obstacles_ = false;
   bool has_passing_pairs_ = false;
   bool has_steps_ = false;            // of potentials
+  bool has_special_pairs_ = false;    // that bounds do not know: inside of steps, or across a sheared face
   bool has_excluded_ = false;         // some candidates must be left out: one of the two above
   Candidates candidates_;             // of the current sphere
   Candidates candidates_of_partner_;  // of the sphere that it meets

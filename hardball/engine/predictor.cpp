@@ -16,6 +16,11 @@ Event contact_with(const World& world, const Candidates& candidates, std::size_t
   return make_collision(contact_time(world, self, other, image), world.id(self), world.id(other), image);
 }
 
+Event contact_across(const World& world, Slot slot, Slot other, const Time& now) {
+  const Image image = nearest_image(world, slot, other, now);
+  return make_collision(contact_time(world, slot, other, image), world.id(slot), world.id(other), image);
+}
+
 Predictor::Predictor(InstructionSet instructions) : kernels_(&kernels_of(instructions)) {}
 
 void Predictor::compute(const World& world, const Time& now, PairContacts& pairs) const {

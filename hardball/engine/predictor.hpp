@@ -73,6 +73,9 @@ inline const Growth* growth_of(const World& world) {
 /// The contact of a sphere with one of its candidates, collected at `now`.
 Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now);
 
+/// The contact of two spheres of a sheared box whose images nearest at `now` are meant.
+Event contact_across(const World& world, Slot slot, Slot other, const Time& now);
+
 /// Computes contact times of many pairs at a time. The result is bit for bit that of contact_time for each
 /// pair and of the order of events among them, whatever the instruction set.
 class Predictor {
@@ -84,7 +87,8 @@ class Predictor {
   /// none. Precondition: `candidates` has been ended, and was collected at `now`.
   PredictedContact earliest(const World& world, const Candidates& candidates, const Time& now) const {
     if (candidates.size() == 0) return {};
-    if (world.has_steps()) [[unlikely]]
+    const bool slide = world.box().is_sheared() && !candidates.uses_minimum_image();
+    if (world.has_steps() || slide) [[unlikely]]
       return earliest_in_order(world, candidates, now);
     const double* shifts[kAxes];
     if (!candidates.uses_minimum_image()) {

@@ -78,6 +78,10 @@ void undo_approach_of_spheres(const World& world, Contact& contact) {
   const Vec3& r = contact.separation;
   // As contacts are predicted.
   const auto approach_with = [&](const Velocities& velocities) {
+    if (contact.image_velocity != Vec3{}) {
+      const Vec3 own = velocities.second - contact.image_velocity;
+      return dot(r, (own - velocities.first) + contact.image_velocity);
+    }
     if (!world.motion().has_growth()) return approach(r, velocities);
     return approach(
         GrowingPair<double>{r, velocities.second - velocities.first, contact.reach, contact.growth});
@@ -158,7 +162,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
   const Path& path = world.path(participants.first);
   const double radius = world.base_radius(participants.first);
   auto [position, velocity] = world.motion().state_at(path, event.time);
-  done.folded[0] = box.fold(position);
+  done.folded[0] = box.fold(position, velocity, event.time);
   Velocities before;
   Contact& contact = done.contact;
   contact.time = event.time;
@@ -173,15 +177,19 @@ void contact_at(const World& world, const Event& event, const Participants& part
     const Path& second_path = world.path(participants.second);
     const double second_radius = world.base_radius(participants.second);
     auto [second_position, second_velocity] = world.motion().state_at(second_path, event.time);
-    done.folded[1] = box.fold(second_position);
-    contact.image = participants.nearest ? box.nearest_image(position - second_position)
+    done.folded[1] = box.fold(second_position, second_velocity, event.time);
+    contact.image = participants.nearest ? box.nearest_image(position - second_position, event.time)
                                          : event.image + done.folded[1] - done.folded[0];
     contact.second_position = second_position;
-    contact.separation = (second_position - position) + box.shift(contact.image);
+    contact.separation = (second_position - position) + box.shift(contact.image, event.time);
     contact.second_radius = second_radius;
     contact.reach = radius + second_radius;
     contact.second_mass = world.mass(participants.second);
     contact.second_since = second_path.time;
+    if (box.is_sheared()) [[unlikely]] {
+      contact.image_velocity = box.image_velocity(contact.image);
+      second_velocity += contact.image_velocity;
+    }
     before = {velocity, second_velocity};
   } else {
     contact.image = {};

@@ -77,7 +77,7 @@ void undo_approach(const World& world, Contact& contact, const Participants& par
 /// rounding explains is removed by the least impulse that does so, so that no contact repeats itself. Error:
 /// the response left them approaching by more than rounding.
 inline void settle(const World& world, Contact& contact, const Participants& participants) {
-  if (!world.motion().has_growth() && contact.is_collision() &&
+  if (!world.motion().has_growth() && !world.box().is_sheared() && contact.is_collision() &&
       !(approach(contact.separation, contact.after) < 0))
     return;
   undo_approach(world, contact, participants);
@@ -140,7 +140,8 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
                   is_collision ? participants.second : participants.first);
   edit.store_path(participants.first, {contact.position, contact.after.first, event.time}, done.folded[0]);
   if (is_collision) {
-    edit.store_path(participants.second, {contact.second_position, contact.after.second, event.time},
+    edit.store_path(participants.second,
+                    {contact.second_position, contact.after.second - contact.image_velocity, event.time},
                     done.folded[1]);
   }
   if (done.may_turn) [[unlikely]]

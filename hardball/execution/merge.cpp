@@ -57,9 +57,9 @@ void merge(World& world, Contact& contact, const Participants& participants) {
   edit.reshape(participants.first, radius, mass, inertia_factor);
   // The path is brought to this time first, so that boxes crossed until then are counted.
   world.rewrite_path(participants.first, contact.time, velocity);
-  Vec3 position = contact.position + weight * contact.separation;
-  const Image folded = world.box().fold(position);
-  edit.store_path(participants.first, {position, velocity, contact.time}, folded);
+  Path path{contact.position + weight * contact.separation, velocity, contact.time};
+  const Image folded = world.box().fold(path.position, path.velocity, contact.time);
+  edit.store_path(participants.first, path, folded);
   edit.store_spin(participants.first, spin);
   contact.after = {velocity, velocity};
   contact.spins_after = {spin, spin};

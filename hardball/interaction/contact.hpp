@@ -65,8 +65,11 @@ struct Contact {
   double second_radius = 0;
   double first_mass = 0;   ///< [M]; infinite for a kinematic sphere.
   double second_mass = 0;  ///< [M]; infinite for a wall, too.
-  /// Of the centers [L/T]; but of spheres that grow, while the response is called, of their surfaces where
-  /// they meet.
+  /// How much faster the image of the second sphere moves than the sphere itself [L/T]; zero but for images
+  /// above or below in a sheared box.
+  Vec3 image_velocity;
+  /// Of the centers [L/T], of the second sphere that of its image; but of spheres that grow, while the
+  /// response is called, of their surfaces where they meet.
   Velocities before;
   Velocities after;    ///< [L/T]; equal to `before` while the response is called.
   Spins spins_before;  ///< [1/T]

@@ -25,6 +25,7 @@ bool drives(const FaceProperties& face) {
 }
 
 bool is_driven(const Box& box, std::size_t axis) {
+  if (axis == 1 && box.shear().rate != 0) return true;
   return box.is_wall(axis) &&
          (drives(box.face(face_of(axis, false))) || drives(box.face(face_of(axis, true))));
 }
@@ -49,7 +50,7 @@ FlowProfiles::FlowProfiles(const Scene& scene) : box_(scene.world().box()), begi
   const double mean_radius = sum / static_cast<double>(world.size());
   constexpr double kCostPerSphere = 15;
   for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
-    const double room = box_.size()[axis] - 2 * least_radius_;
+    const double room = box_.size()[axis] - 2 * margin(axis);
     if (!is_driven(box_, axis) || !(room > 0)) continue;
     const double wanted = std::ceil(room / mean_radius * (1 - 1e-12));
     slabs_[axis] = wanted < kMaxSlabs ? static_cast<std::size_t>(std::max(wanted, 1.0)) : kMaxSlabs;
@@ -70,10 +71,11 @@ void FlowProfiles::sample(const Scene& scene) {
   world.for_each_by_id([&](Slot slot) {
     const Vec3& center = *next++;
     const double mass = world.mass(slot);
-    const Vec3 velocity = world.velocity(slot, scene.now());
+    // Relative to the flow of the box, which grows within a slab.
+    const Vec3 velocity = world.peculiar_velocity(slot, scene.now());
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (slabs_[axis] == 0) continue;
-      const double slabs_below = std::max((center[axis] - least_radius_) / slab_width(axis), 0.0);
+      const double slabs_below = std::max((center[axis] - margin(axis)) / slab_width(axis), 0.0);
       const std::size_t slab = std::min(static_cast<std::size_t>(slabs_below), slabs_[axis] - 1);
       double* const sums = average_.open_bins(bin(axis, slab));
       ++sums[kCount];
@@ -91,7 +93,7 @@ void FlowProfiles::add_profiles(Measurement& found, const BlockAverage& average,
   const std::size_t rows = *std::ranges::max_element(slabs_);
   Column position{kAxisNames[axis], "L", ColumnRole::argument, {}};
   for (std::size_t slab = 0; slab < slabs_[axis]; ++slab) {
-    position.values.push_back(least_radius_ + (static_cast<double>(slab) + 0.5) * width);
+    position.values.push_back(margin(axis) + (static_cast<double>(slab) + 0.5) * width);
   }
   position.values.resize(rows, std::numeric_limits<double>::quiet_NaN());
   found.columns.push_back(std::move(position));
@@ -125,8 +127,13 @@ void FlowProfiles::add_profiles(Measurement& found, const BlockAverage& average,
   for (std::size_t k = 0; k < box_.dimensions(); ++k) {
     if (k == axis) continue;
     add(std::string("flow_velocity_") + kAxisNames[k], "L T^-1", [&](std::size_t first) {
-      return average.estimate(
-          [&](Means means) { return means[first + kMomentum + k] / means[first + kMass]; });
+      Estimate velocity =
+          average.estimate([&](Means means) { return means[first + kMomentum + k] / means[first + kMass]; });
+      if (k == 0 && box_.is_sheared()) {
+        const auto slab = static_cast<double>((first - bin(axis, 0)) / kSums);
+        velocity.value += box_.flow_speed((slab + 0.5) * width);
+      }
+      return velocity;
     });
   }
 }
@@ -134,7 +141,7 @@ void FlowProfiles::add_profiles(Measurement& found, const BlockAverage& average,
 Measurement FlowProfiles::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
-      .title = "Profiles between driven faces",
+      .title = box_.is_sheared() ? "Profiles across the shear" : "Profiles between driven faces",
       .formula =
           R"(number density: centers in a slab over its volume; flow velocity $\mathbf{u} = \sum m )"
           R"(\mathbf{v} / \sum m$ in a slab; $kT = \frac{1}{d N} \sum m (\mathbf{v} - \mathbf{u})^2$ of $N$ )"
@@ -171,7 +178,8 @@ bool FlowProfiles::restored() const {
   const auto is_possible = [](std::size_t slabs) { return slabs <= kMaxSlabs; };
   if (!std::ranges::all_of(slabs_, is_possible) || !average_.has(bins())) return false;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (slabs_[axis] > 0 && !(box_.is_wall(axis) && least_radius_ >= 0 && slab_width(axis) > 0)) return false;
+    const bool is_measured = is_driven(box_, axis) && least_radius_ >= 0 && slab_width(axis) > 0;
+    if (slabs_[axis] > 0 && !is_measured) return false;
   }
   return true;
 }

@@ -14,7 +14,8 @@
 namespace hardball {
 
 /// How density, temperature and flow change from one face of the box to the opposite one, along each axis at
-/// whose ends a face is thermal or moves. Where there is no such axis the measurement is empty.
+/// whose ends a face is thermal or moves, and across the shear of a sheared box. Where there is no such axis
+/// the measurement is empty.
 ///
 /// The room between the positions that the smallest spheres can reach is divided into slabs. The temperature
 /// is that of the motion relative to the flow in each.
@@ -54,8 +55,10 @@ class FlowProfiles {
   std::size_t bin(std::size_t axis, std::size_t slab) const;
   std::size_t bins() const { return bin(kAxes, 0); }
   double slab_width(std::size_t axis) const {
-    return (box_.size()[axis] - 2 * least_radius_) / static_cast<double>(slabs_[axis]);
+    return (box_.size()[axis] - 2 * margin(axis)) / static_cast<double>(slabs_[axis]);
   }
+  // How far from the faces the slabs begin: where centers can be.
+  double margin(std::size_t axis) const { return box_.is_wall(axis) ? least_radius_ : 0; }
   void add_profiles(Measurement& found, const BlockAverage& average, std::size_t axis) const;
 
   Box box_;

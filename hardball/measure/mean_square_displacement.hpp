@@ -19,6 +19,7 @@ namespace hardball {
 class MeanSquareDisplacement {
  public:
   static constexpr std::string_view kName = "mean_square_displacement";
+  static constexpr bool kNeedsImagesAtRest = true;
   /// What a sample costs for each sphere followed [ns].
   static constexpr double kCostPerSphereFollowed = 60;
 

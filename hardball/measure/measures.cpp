@@ -80,6 +80,12 @@ concept NeedsSteps = requires {
   Measure::kNeedsSteps;
 };
 
+/// Has no meaning where images of the box slide.
+template <class Measure>
+concept NeedsImagesAtRest = requires {
+  Measure::kNeedsImagesAtRest;
+};
+
 template <class M>
 struct Entry {
   using Measure = M;
@@ -243,7 +249,9 @@ void Measures::sample(const World& world, const Time& now) {
   if (!has_begun_) {
     const Pace pace = expected_pace(scene.statistics());
     entries_->for_each([&](auto& entry) {
-      if (NeedsSteps<MeasureOf<decltype(entry)>> && !world.has_steps()) return;
+      using Measure = MeasureOf<decltype(entry)>;
+      if (NeedsSteps<Measure> && !world.has_steps()) return;
+      if (NeedsImagesAtRest<Measure> && world.box().is_sheared()) return;
       if (entry.is_wanted) begin(entry, scene, settings_.every, pace);
     });
     has_begun_ = true;

@@ -32,11 +32,12 @@ NeighborQuery::Effort NeighborQuery::effort(const World& world, double range) {
           .cost = kEachSphere * spheres + centers * (kEachCenter + kEachNeighbor * of_each)};
 }
 
-NeighborQuery::NeighborQuery(const World& world, std::span<const Vec3> centers, double extent)
+NeighborQuery::NeighborQuery(const World& world, std::span<const Vec3> centers, double extent,
+                             const Time& now)
     : world_(world),
       centers_(centers),
       ball_(edge_of(world.box(), kSpheresInCell * extent / static_cast<double>(centers.size())) / 2),
-      neighborhood_(world.box(), centers.size(), ball_) {
+      neighborhood_(world.box(), centers.size(), ball_, now) {
   radii_.reserve(centers.size());
   world.for_each_by_id([&](Slot slot) { radii_.push_back(world.base_radius(slot)); });
   for (const Vec3& center : centers) neighborhood_.insert(center, ball_);

@@ -31,8 +31,8 @@ class NeighborQuery {
   static Effort effort(const World& world, double range);
 
   /// Refers to the world and to `centers` [L], those of all spheres in the order of ids, folded into a
-  /// periodic box; most lie within the space `extent` [L^3]. Cost: O(n).
-  NeighborQuery(const World& world, std::span<const Vec3> centers, double extent);
+  /// periodic box as it is `now`; most lie within the space `extent` [L^3]. Cost: O(n).
+  NeighborQuery(const World& world, std::span<const Vec3> centers, double extent, const Time& now);
 
   std::size_t size() const { return centers_.size(); }
   /// [L]

@@ -3,6 +3,7 @@
 #include "hardball/measure/pressure.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -54,7 +55,7 @@ Pressure::Pressure(const Scene& scene)
   const World& world = scene.world();
   world.for_each_by_id([&](Slot slot) {
     mass_ += world.mass(slot);
-    const Vec3 velocity = world.velocity(slot, begin_) - motion_.drift;
+    const Vec3 velocity = world.peculiar_velocity(slot, begin_) - motion_.drift;
     for (std::size_t k = 0; k < kComponents; ++k) {
       kinetic_[k] += world.mass(slot) * velocity[kTensor[k].first] * velocity[kTensor[k].second];
     }
@@ -66,7 +67,27 @@ void Pressure::advance(const Time& now) {
   last_ = now;
   double* const carried = average_.open_bins(kKinetic);
   for (std::size_t k = 0; k < kComponents; ++k) carried[k] += kinetic_[k] * elapsed;
+  if (box_.is_sheared()) shear_kinetic(elapsed, carried);
   average_.close_sample(duration(begin_, now), elapsed);
+}
+
+// Relative to the flow a sphere that rises falls behind, so v_x changes at the rate -g v_y: the components of
+// the kinetic part are polynomials in time.
+void Pressure::shear_kinetic(double elapsed, double* carried) {
+  const double turned = box_.shear().rate * elapsed;
+  auto& [xx, yy, zz, xy, xz, yz] = kinetic_;
+  carried[0] += (turned * yy / 3 - xy) * turned * elapsed;
+  carried[3] -= yy * turned * elapsed / 2;
+  carried[4] -= yz * turned * elapsed / 2;
+  xx += (turned * yy - 2 * xy) * turned;
+  xy -= yy * turned;
+  xz -= yz * turned;
+  drift_.x -= drift_.y * turned;
+}
+
+// The velocity of the flow at the place of a center, zero where there is no shear.
+Vec3 Pressure::flow_at(const Vec3& position) const {
+  return {box_.is_sheared() ? box_.flow_speed(position.y) : 0, 0, 0};
 }
 
 // An impulse dp that changes a velocity from v to w changes m v v by m w w - m v v, which is dp (v + w),
@@ -88,14 +109,16 @@ void Pressure::change_drift(const Vec3& impulse) {
 void Pressure::note(const VelocityChange& change) {
   if (last_ < change.time) advance(change.time);
   const Vec3 impulse = change.mass * (change.after - change.before);
-  change_kinetic(impulse, change.before, change.after);
+  const Vec3 flow = flow_at(change.position);
+  change_kinetic(impulse, change.before - flow, change.after - flow);
   change_drift(impulse);
 }
 
 void Pressure::note(const Contact& contact) {
   advance(contact.time);
   const Vec3 impulse = contact.impulse();
-  change_kinetic(impulse, contact.before.first, contact.after.first);
+  const Vec3 flow = flow_at(contact.position);
+  change_kinetic(impulse, contact.before.first - flow, contact.after.first - flow);
   if (!contact.is_collision()) {
     if (contact.second >= kFaces) return;
     const std::size_t axis = axis_of(contact.second);
@@ -106,7 +129,9 @@ void Pressure::note(const Contact& contact) {
     return;
   }
   const Vec3 second_impulse = contact.second_mass * (contact.after.second - contact.before.second);
-  change_kinetic(second_impulse, contact.before.second, contact.after.second);
+  const Vec3 flow_at_second = flow_at(contact.position + contact.separation);
+  change_kinetic(second_impulse, contact.before.second - flow_at_second,
+                 contact.after.second - flow_at_second);
   add_symmetric_product(average_.open_bins(kCollisional), impulse, -1 * contact.separation);
 }
 
@@ -156,6 +181,7 @@ Measurement Pressure::result(const Scene& scene) const {
   };
   add("compressibility", "1", compressibility, 1);
   add("pressure", unit_of_pressure, pressure, kinetic_pressure);
+  std::optional<Estimate> of_shear;
   for (std::size_t k = 0; k < kComponents; ++k) {
     if (box_.is_flat() && is_along_z(kTensor[k])) continue;
     const bool is_diagonal = kTensor[k].first == kTensor[k].second;
@@ -170,7 +196,9 @@ Measurement Pressure::result(const Scene& scene) const {
     const double scale = is_diagonal ? kinetic_pressure : 0;
     found.quantities.push_back({std::string("pressure_") + kTensor[k].name, unit_of_pressure, estimate.value,
                                 estimate.error, scale * expected, scale * tolerance});
+    if (k == kXy && box_.shear().rate != 0) of_shear = estimate;
   }
+  if (of_shear) add_viscosity(found, average, *of_shear, scene.world().interactions().are_elastic());
   add_walls(found, average);
 
   found.columns = {
@@ -181,6 +209,16 @@ Measurement Pressure::result(const Scene& scene) const {
   for (double& time : found.columns.front().values) time += begin_.value();
   transient.note_in(found);
   return found;
+}
+
+// The shear stress over the rate of the shear.
+void Pressure::add_viscosity(Measurement& found, const BlockAverage& average, const Estimate& pressure_xy,
+                             bool is_elastic) const {
+  const double rate = box_.shear().rate;
+  const double kinetic = average.mean(kKinetic) + average.mean(kKinetic + 1) + average.mean(kKinetic + 2);
+  const double expected = is_elastic ? theory_.viscosity(kinetic / (dimensions_ * spheres_)) : kNoNumber;
+  found.quantities.push_back({"viscosity", viscosity_unit(box_), -pressure_xy.value / rate,
+                              pressure_xy.error / std::fabs(rate), expected, kForComparison});
 }
 
 // The standard deviation of a component of the kinetic part, averaged over some time [M L^2 T^-2]. At one

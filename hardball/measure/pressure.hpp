@@ -17,8 +17,9 @@
 namespace hardball {
 
 /// The pressure tensor from its kinetic and collisional parts, the compressibility, and the pressure on the
-/// walls. With an open axis there is no volume, and so no pressure. Source: Allen and Tildesley, Computer
-/// Simulation of Liquids, 2nd edition, section 2.4; for walls the virial theorem.
+/// walls; in a sheared box relative to the flow, with the viscosity. With an open axis there is no volume,
+/// and so no pressure. Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd edition, section 2.4;
+/// for walls the virial theorem.
 class Pressure {
  public:
   static constexpr std::string_view kName = "pressure";
@@ -43,6 +44,7 @@ class Pressure {
   bool restored() const;
 
   static constexpr std::size_t kComponents = 6;  // xx, yy, zz, xy, xz, yz
+  static constexpr std::size_t kXy = 3;
   // Bins of the averages.
   static constexpr std::size_t kKinetic = 0;                              // sum of m v v [M L^2 T^-2]
   static constexpr std::size_t kCollisional = kKinetic + kComponents;     // [M L^2 T^-2]
@@ -54,9 +56,13 @@ class Pressure {
   using Tensor = std::array<double, kComponents>;
 
   void advance(const Time& now);
+  void shear_kinetic(double elapsed, double* carried);
+  Vec3 flow_at(const Vec3& position) const;
   void change_kinetic(const Vec3& impulse, const Vec3& before, const Vec3& after);
   void change_drift(const Vec3& impulse);
   double kinetic_error(std::size_t component, double elapsed) const;
+  void add_viscosity(Measurement& found, const BlockAverage& average, const Estimate& pressure_xy,
+                     bool is_elastic) const;
   void add_walls(Measurement& found, const BlockAverage& average) const;
 
   Box box_;
@@ -70,7 +76,7 @@ class Pressure {
   Time last_;
   double mass_ = 0;   // of all spheres [M]
   Vec3 drift_;        // at present [L/T]
-  Tensor kinetic_{};  // relative to the drift [M L^2 T^-2]
+  Tensor kinetic_{};  // relative to the drift, and to the flow of a sheared box [M L^2 T^-2]
   BlockAverage average_{kBins};
 };
 

@@ -29,7 +29,7 @@ const GasStatistics& Scene::statistics() const {
 const ThermalMotion& Scene::thermal_motion() const {
   return once(motion_, [&] {
     ThermalMotion motion = hardball::thermal_motion(world_, now_);
-    motion.is_driven = is_driven_ || world_.has_steps();
+    motion.is_driven |= is_driven_ || world_.has_steps();
     return motion;
   });
 }
@@ -44,7 +44,7 @@ const std::vector<Vec3>& Scene::centers() const {
 }
 
 const NeighborQuery& Scene::surroundings() const {
-  return once(surroundings_, [&] { return NeighborQuery(world_, centers(), statistics().volume()); });
+  return once(surroundings_, [&] { return NeighborQuery(world_, centers(), statistics().volume(), now_); });
 }
 
 bool Scene::has_equilibrium(const ThermalMotion& begin) const {
@@ -53,7 +53,7 @@ bool Scene::has_equilibrium(const ThermalMotion& begin) const {
 }
 
 Vec3 Scene::unfolded_center(Slot slot) const {
-  return world_.position(slot, now_) + world_.box().shift(world_.image(slot, now_));
+  return world_.position(slot, now_) + world_.box().shift(world_.image(slot, now_), now_);
 }
 
 }  // namespace hardball

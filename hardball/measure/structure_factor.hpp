@@ -23,6 +23,7 @@ namespace hardball {
 class StructureFactor {
  public:
   static constexpr std::string_view kName = "structure_factor";
+  static constexpr bool kNeedsImagesAtRest = true;
 
   /// Wave vectors are at most `longest` over the mean diameter long, or have 4096 periods along the longest
   /// axis if that is less; of each of 64 shells up to `vectors_in_shell` are chosen. If that is not given

@@ -38,7 +38,7 @@ void Tally::begin(const World& world, const Totals& totals, const Time& now) {
   begin_ = now;
   last_ = now;
   begin_energy_ = totals.kinetic_energy.value();
-  is_straight_ = world.motion().is_straight();
+  keeps_energy_ = world.motion().is_straight() && !world.box().is_sheared();
   initial_energy_ = totals.energy.value();
   set_interactions(world.interactions());
 }
@@ -120,7 +120,7 @@ Tally Tally::part() const {
   part.walls_.resize(walls_.size());
   part.begin_ = begin_;
   part.last_ = begin_;
-  part.is_straight_ = is_straight_;
+  part.keeps_energy_ = keeps_energy_;
   part.is_elastic_ = is_elastic_;
   return part;
 }
@@ -160,6 +160,12 @@ double Tally::energy_integral(const Time& now) const {
   return energy.value() * duration(begin_, now) - delayed_gains_.value();
 }
 
+double Tally::shear_work(double kinetic_energy) const {
+  ExactSum work = gains_;
+  work += begin_energy_;
+  return kinetic_energy - work.value();
+}
+
 // Before version 4, archives have the energy and its integral at the last change in place of begin_energy_
 // and delayed_gains_.
 void Tally::take_over_energy_integral() {
@@ -168,7 +174,7 @@ void Tally::take_over_energy_integral() {
 }
 
 double Tally::compressibility(const Time& now) const {
-  if (!is_straight_) return std::numeric_limits<double>::quiet_NaN();
+  if (!keeps_energy_) return std::numeric_limits<double>::quiet_NaN();
   return 1 + virial() / (2 * energy_integral(now));
 }
 

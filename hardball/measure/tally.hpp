@@ -69,6 +69,9 @@ class HARDBALL_EXPORT Tally {
   /// The energy that spheres have gained by growing: the sum over contacts of the impulse times the rate of
   /// the sum of the radii [M L^2 T^-2].
   double growth_work() const { return growth_work_.value(); }
+  /// The kinetic energy, without that of spins, which the shear of the box has given to the spheres relative
+  /// to the flow, if it is now `kinetic_energy` [M L^2 T^-2]: what contacts and edits do not account for.
+  double shear_work(double kinetic_energy) const;
   /// Sums over collisions, but those at steps, of the impact speed [L/T] and of its square [L^2 T^-2].
   double impact_speed_sum() const { return impact_speed_sum_.value(); }
   double impact_speed_square_sum() const { return impact_speed_square_sum_.value(); }
@@ -81,11 +84,11 @@ class HARDBALL_EXPORT Tally {
   double elapsed(const Time& now) const { return duration(begin_, now); }
 
   /// Kinetic energy, without that of spins, integrated over time, up to `now` [M L^2/T]. Precondition: there
-  /// is no gravity.
+  /// is no gravity, nor shear.
   double energy_integral(const Time& now) const;
   /// P V / N k T over the time counted [1], from the virial and the mean kinetic energy in the rest frame of
-  /// the boundaries. One if nothing collided; NaN if no time has passed, nothing moves, or there is gravity.
-  /// Source: Alder and Wainwright, J. Chem. Phys. 33 (1960) 1439.
+  /// the boundaries. One if nothing collided; NaN if no time has passed, nothing moves, or there is gravity
+  /// or shear. Source: Alder and Wainwright, J. Chem. Phys. 33 (1960) 1439.
   double compressibility(const Time& now) const;
   /// Mean pressure on the walls over the time counted [M L^-1 T^-2]; NaN without walls, or if no time has
   /// passed.
@@ -100,7 +103,7 @@ class HARDBALL_EXPORT Tally {
       if (archive.version() < kVersionOfGains) self.take_over_energy_integral();
     }
     archive(self.collisions_, self.mergers_, self.passes_, self.wall_contacts_, self.max_overlap_,
-            self.virial_, self.impact_speed_sum_, self.impact_speed_square_sum_, self.is_straight_,
+            self.virial_, self.impact_speed_sum_, self.impact_speed_square_sum_, self.keeps_energy_,
             self.walls_);
     if (archive.version() >= kVersionOfGrowth) archive(self.growth_work_);
     if (archive.version() >= kVersionOfSteps) archive(self.steps_passed_, self.steps_refused_);
@@ -147,8 +150,8 @@ class HARDBALL_EXPORT Tally {
   ExactSum growth_work_;
   ExactSum impact_speed_sum_;
   ExactSum impact_speed_square_sum_;
-  bool is_straight_ = true;
-  bool is_elastic_ = false;  // of the world, see set_interactions
+  bool keeps_energy_ = true;  // between contacts: without gravity and shear
+  bool is_elastic_ = false;   // of the world, see set_interactions
   std::vector<WallSums> walls_ = std::vector<WallSums>(kFaces);
 };
 

@@ -44,7 +44,7 @@ void Temperature::sample(const Scene& scene) {
   average_.put(kAll, motion.temperature());
   std::size_t rank = 0;
   world.for_each_by_id([&](Slot slot) {
-    const Vec3 v = world.velocity(slot, scene.now()) - motion.drift;
+    const Vec3 v = world.peculiar_velocity(slot, scene.now()) - motion.drift;
     const double mass = world.mass(slot);
     double* const sums = average_.open_bins(0, group_of(rank++));
     const double square = mass * dot(v, v);

@@ -10,6 +10,9 @@ namespace hardball {
 inline const char* pressure_unit(const Box& box) {
   return box.is_flat() ? "M T^-2" : "M L^-1 T^-2";
 }
+inline const char* viscosity_unit(const Box& box) {
+  return box.is_flat() ? "M T^-1" : "M L^-1 T^-1";
+}
 inline const char* number_density_unit(const Box& box) {
   return box.is_flat() ? "L^-2" : "L^-3";
 }

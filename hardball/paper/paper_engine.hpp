@@ -42,9 +42,9 @@ class PaperEngine {
     rebuild(now, settings);
   }
 
-  /// Whether all paths are straight, and obstacles have no images in a periodic box.
+  /// Whether all paths are straight, no images slide, and obstacles have none in a periodic box.
   static bool supports(const World& world) {
-    return world.motion().is_straight() && !has_images_of_obstacles(world);
+    return world.motion().is_straight() && !world.box().is_sheared() && !has_images_of_obstacles(world);
   }
   /// As BroadPhase has it.
   static bool supports(const World& world, double edge) {

@@ -19,6 +19,12 @@ namespace {
 
 using namespace image_search;
 
+void refuse_shear(const World& world, const char* where) {
+  if (!world.box().is_sheared()) return;
+  throw Error("the box is sheared, and its images slide", where,
+              "ask for the next contact of the simulation");
+}
+
 void refuse_growth(const World& world, const char* where) {
   if (!world.motion().has_growth()) return;
   throw Error("spheres grow, and it is not known how long", where, "ask when their sizes are constant");
@@ -38,6 +44,7 @@ template <class Pass>
 std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slot self, const Path& path,
                                             double radius, const Pass& pass, const Time& until) {
   refuse_growth(world, "first_contact");
+  refuse_shear(world, "first_contact");
   if (world.has_steps()) {
     throw Error("spheres have potentials of steps, by which paths bend", "first_contact",
                 "ask for the next contact of the simulation");
@@ -178,6 +185,7 @@ void note_nearer(const Clearance& other, std::optional<Clearance>& nearest) {
 
 std::optional<Clearance> clearance_of(const World& world, const Time& now, const Vec3& center, double radius,
                                       Slot self) {
+  refuse_shear(world, "clearance");
   const Box& box = world.box();
   std::optional<Clearance> nearest;
   double least = kInfinity;
@@ -234,6 +242,7 @@ std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origi
                           double most) {
   constexpr const char* kWhere = "ray";
   refuse_growth(world, kWhere);
+  refuse_shear(world, kWhere);
   const Box& box = world.box();
   check_vector(direction, "the direction", kWhere);
   const double norm = length(direction);

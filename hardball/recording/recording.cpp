@@ -265,6 +265,10 @@ std::string to_json(const RecordingHeader& header) {
   json["box"]["size"] = json_vector(size);
   json["box"]["boundary"] = boundary;
   if (!header.box.has_plain_faces()) json["box"]["faces"] = json_faces(header.box);
+  if (header.box.is_sheared()) {
+    json["box"]["shear_rate"] = header.box.shear().rate;
+    json["box"]["shear_offset"] = header.box.shear().offset;
+  }
   json["begin"] = header.begin;
   json["until"] = header.until ? Json(*header.until) : Json(nullptr);
   json["cell_edge"] = json_vector(header.cell_edge);
@@ -299,6 +303,10 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
   const Json& box = in.member(object, "box");
   header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
   in.read(box, "faces", [&](const Json& value) { in.faces(value, header.box); });
+  Shear shear;
+  in.read(box, "shear_rate", [&](const Json& value) { shear.rate = in.number(value); });
+  in.read(box, "shear_offset", [&](const Json& value) { shear.offset = in.number(value); });
+  header.box.set_shear(shear);
   in.read(object, "begin", [&](const Json& value) { header.begin = in.number(value); });
   in.read(object, "until", [&](const Json& value) {
     if (!value.is_null()) header.until = in.number(value);

@@ -205,7 +205,7 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
                            contact.position,
                            contact.after.first,
                            contact.second_position,
-                           contact.is_collision() ? contact.after.second : Vec3{}};
+                           contact.is_collision() ? contact.after.second - contact.image_velocity : Vec3{}};
   if (state_.layout.has_bodies) {
     const Slot first = world.slot_of(contact.first);
     recorded.outcome = contact.outcome;

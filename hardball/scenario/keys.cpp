@@ -90,6 +90,19 @@ TableDescription box_keys() {
            .default_value = "[0.0, 0.0, 0.0]",
            .meaning = "the acceleration of every sphere",
            .example = "[0.0, 0.0, -9.81]"},
+          {.name = "shear_rate",
+           .dimension = "1/T",
+           .default_value = "0.0",
+           .meaning = "how much the flow along x grows along y: images of the box above and below slide "
+                      "along x, as Lees and Edwards have them. x and y must be periodic. Velocities that are "
+                      "drawn are relative to this flow",
+           .example = "0.1"},
+          {.name = "shear_offset",
+           .dimension = "L",
+           .default_value = "0.0",
+           .meaning = "by how much the image above is displaced along x at time zero, to continue another "
+                      "run",
+           .example = "3.5"},
           {.name = "faces",
            .type = table,
            .meaning = "properties of its faces that are walls",
@@ -620,7 +633,16 @@ TableDescription thermostat_keys() {
                 .is_required = true,
                 .meaning = "the time between two actions on all spheres",
                 .example = "0.1",
-                .only_for = {"rescale", "heating"}}}};
+                .only_for = {"rescale", "heating"}},
+               {.name = "slabs",
+                .type = integer,
+                .least = 1,
+                .most = 10000,
+                .meaning = "how many slabs across y keep the mean velocities that they have, whatever the "
+                           "profile of the flow: velocities are scaled relative to these; if not given, "
+                           "relative to the mean of all and to the flow of the box",
+                .example = "10",
+                .only_for = {"rescale"}}}};
 }
 
 TableDescription growth_keys() {

@@ -207,6 +207,12 @@ std::vector<Vec3> draw_spins(const Scenario& scenario, Groups groups, Random& ra
   return spins;
 }
 
+// A velocity that has been drawn relative to the flow of a sheared box.
+Vec3 in_flow(const Box& box, const Vec3& position, Vec3 velocity) {
+  if (box.is_sheared()) velocity.x += box.flow_speed(position.y);
+  return velocity;
+}
+
 void add_groups(const Scenario& scenario, World& world, const Progress& progress) {
   Random random(scenario.seed);
   std::vector<SphereGroup> groups = scenario.spheres;
@@ -223,9 +229,10 @@ void add_groups(const Scenario& scenario, World& world, const Progress& progress
   for (const SphereGroup& group : groups) {
     for (std::size_t i = 0; i < group.count; ++i, ++next) {
       added.note(next, positions.size());
+      const bool is_drawn = group.velocity_rule != VelocityRule::listed;
       add(world,
           {.position = positions[next],
-           .velocity = velocities[next],
+           .velocity = is_drawn ? in_flow(world.box(), positions[next], velocities[next]) : velocities[next],
            .radius = group.radius_of(i),
            .mass = group.mass_of(i),
            .spin = spins[next],
@@ -236,9 +243,29 @@ void add_groups(const Scenario& scenario, World& world, const Progress& progress
   }
 }
 
+// Calls act(), and says where in the scenario the shear is, if that is what does not go with others.
+template <class Act>
+auto at_shear(const Scenario& scenario, Act&& act) {
+  try {
+    return act();
+  } catch (const Error& error) {
+    if (error.where() != "shear") throw;
+    throw Error(error.problem(), scenario.shear_where, error.remedy());
+  }
+}
+
+World make_empty_world(const Scenario& scenario) {
+  const Box box = make_box(scenario);
+  return at_shear(scenario, [&] { return World(box, scenario.gravity, make_surfaces(scenario, box)); });
+}
+
+void set_interactions(const Scenario& scenario, World& world) {
+  at_shear(scenario, [&] { world.set_interactions(make_interactions(scenario)); });
+}
+
 // Whether the spheres can be made one after the other, by those who cannot keep all.
 bool can_be_made_in_turn(const Scenario& scenario) {
-  if (scenario.start_file || scenario.spheres.size() != 1) return false;
+  if (scenario.start_file || scenario.spheres.size() != 1 || scenario.shear.is_present()) return false;
   const SphereGroup& group = scenario.spheres.front();
   const bool is_on_lattice = group.placement == Placement::fcc || group.placement == Placement::hexagonal;
   return is_on_lattice && !group.distribution && group.velocity_rule != VelocityRule::listed &&
@@ -300,7 +327,8 @@ void complete_velocities(const Scenario& scenario, const Box& box, const std::st
   Random random(scenario.seed);
   const std::vector<Vec3> velocities =
       draw_velocities(std::span(&group, 1), box.is_all(Boundary::periodic), random);
-  for (std::size_t i = 0; i < velocities.size(); ++i) snapshot.spheres[i].velocity = velocities[i];
+  for (std::size_t i = 0; i < velocities.size(); ++i)
+    snapshot.spheres[i].velocity = in_flow(box, snapshot.spheres[i].position, velocities[i]);
 }
 
 void add_from_file(const Scenario& scenario, World& world) {
@@ -326,6 +354,7 @@ Box make_box(const Scenario& scenario) {
     size[axis] = scenario.box[axis].size.value_or(0);
   }
   Box box(boundary, size);
+  at_shear(scenario, [&] { box.set_shear(scenario.shear); });
   for (const FaceDescription& face : scenario.faces) {
     const SurfaceMaterial material{face.restitution, face.temperature, scenario.seed};
     try {
@@ -340,14 +369,13 @@ Box make_box(const Scenario& scenario) {
 World make_world(const Scenario& scenario, const OnProgress& on_progress) {
   const Progress progress(on_progress);
   progress.note(0, 1);
-  const Box box = make_box(scenario);
-  World world(box, scenario.gravity, make_surfaces(scenario, box));
+  World world = make_empty_world(scenario);
   if (scenario.start_file) {
     add_from_file(scenario, world);
   } else if (!scenario.spheres.empty()) {
     add_groups(scenario, world, progress);
   }
-  world.set_interactions(make_interactions(scenario));
+  set_interactions(scenario, world);
   add_bonds(scenario, world);
   progress.note_end();
   return world;
@@ -362,9 +390,8 @@ World make_part(const Scenario& scenario, const Function<bool(SphereId)>& is_wan
     });
     return whole.without_spheres();
   }
-  const Box box = make_box(scenario);
-  World empty(box, scenario.gravity, make_surfaces(scenario, box));
-  empty.set_interactions(make_interactions(scenario));
+  World empty = make_empty_world(scenario);
+  set_interactions(scenario, empty);
   World alone = empty;
   SphereId id = 0;
   for (const Sphere& sphere : make_wanted(scenario, empty, is_wanted)) {

@@ -74,6 +74,14 @@ Vec3 read_gravity(const Section& box, std::size_t dimensions) {
   return gravity;
 }
 
+void read_shear(const Section& box, Scenario& scenario) {
+  const std::optional<Value> rate = box.find("shear_rate");
+  const std::optional<Value> offset = box.find("shear_offset");
+  if (rate) scenario.shear.rate = rate->number();
+  if (offset) scenario.shear.offset = offset->number();
+  if (rate || offset) scenario.shear_where = (rate ? rate : offset)->location();
+}
+
 void read_start_velocities(const Section& start, Scenario& scenario) {
   const std::optional<Value> mean_speed = start.find("mean_speed");
   const std::optional<Value> temperature = start.find("temperature");
@@ -109,6 +117,11 @@ void read_start(const Section& root, Scenario& scenario) {
     scenario.spheres.push_back(read_spheres(group, folder, scenario.species, scenario.dimensions()));
 }
 
+std::size_t read_slabs(const Section& section) {
+  const std::optional<Value> slabs = section.find("slabs");
+  return slabs ? slabs->integer() : 0;
+}
+
 ThermostatKind read_thermostat(const Section& section) {
   const std::size_t kind = section.need("kind").choice();
   const auto number = [&](const char* key) { return section.need(key).number(); };
@@ -116,7 +129,7 @@ ThermostatKind read_thermostat(const Section& section) {
     case 0:
       return Andersen(number("temperature"), number("rate"));
     case 1:
-      return Rescale(number("temperature"), number("every"));
+      return Rescale(number("temperature"), number("every"), read_slabs(section));
     default:
       return Heating(number("strength"), number("every"));
   }
@@ -224,6 +237,7 @@ Scenario read_scenario(const Document& document) {
   }
   read_box(*box, scenario.box);
   scenario.gravity = read_gravity(*box, scenario.dimensions());
+  read_shear(*box, scenario);
   scenario.species = read_species(root);
   read_start(root, scenario);
   scenario.faces = read_faces(*box, scenario.dimensions());

@@ -147,6 +147,8 @@ struct HARDBALL_EXPORT Scenario {
   /// 2 if the box is flat.
   std::size_t dimensions() const { return box[2].boundary == Boundary::flat ? 2 : 3; }
   Vec3 gravity;                        ///< [L/T^2]
+  Shear shear;                         ///< Of the box.
+  std::string shear_where;             ///< For messages.
   std::vector<FaceDescription> faces;  ///< Of the box, those with properties of their own.
   std::vector<WallDescription> walls;  ///< Besides those of the box.
   std::vector<ObstacleDescription> obstacles;

@@ -8,6 +8,7 @@
 
 #include "hardball/broadphase/large_sphere_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
+#include "hardball/broadphase/sheared_cells.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/paper/paper_engine.hpp"
@@ -23,6 +24,7 @@ namespace {
 std::unique_ptr<AnyEngine> make_any_cells(World world, const EngineOptions& options,
                                           const PhaseSettings& settings, const Time& now,
                                           const Progress& progress) {
+  if (world.box().is_sheared()) return make_sheared_cells(std::move(world), options, settings, now, progress);
   const bool has_large = LargeSphereGrid::supports(world, settings.length);
   return (has_large ? make_large_sphere_cells : make_cells)(std::move(world), options, settings, now,
                                                             progress);
@@ -62,7 +64,7 @@ const Choice& choice(EngineKind kind) {
 }  // namespace
 
 Division choose_division(const World& world, const EngineOptions& options) {
-  if (world.interactions().may_merge() || world.has_steps()) return {};
+  if (world.interactions().may_merge() || world.has_steps() || world.box().is_sheared()) return {};
   if (options.division) return *options.division;
   constexpr std::size_t kSpheresPerThread = 250000;
   const std::size_t most = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
@@ -93,19 +95,26 @@ void check(const EngineOptions& options) {
   if (options.cell_edge) check_positive(*options.cell_edge, "the cell edge", "cell edge");
 }
 
-void check_threads(const EngineOptions& options, const Interactions& interactions) {
-  if (options.threads <= 1 || !(interactions.may_merge() || !interactions.steps().empty())) return;
+void check_threads(const EngineOptions& options, const Box& box, const Interactions& interactions) {
+  const bool has_steps = !interactions.steps().empty();
+  if (options.threads <= 1 || !(interactions.may_merge() || has_steps || box.is_sheared())) return;
   throw Error(interactions.function()    ? "threads cannot share a response that is a function"
               : interactions.may_merge() ? "threads cannot share spheres that merge"
-                                         : "threads cannot share spheres with potentials of steps",
+              : has_steps                ? "threads cannot share spheres with potentials of steps"
+                                         : "threads cannot share a sheared box",
               "threads", "use one thread, or as many as pay");
 }
 
 EngineKind choose_engine(const World& world, const GasStatistics& statistics, const EngineOptions& options,
                          const Time& moment, EngineKind current) {
   if (options.engine == EngineKind::paper && !PaperEngine::supports(world)) {
-    throw Error("the paper's engine knows only straight paths, and no images of obstacles", "engine",
-                "use another engine");
+    throw Error(
+        "the paper's engine knows only straight paths, and no images that slide, nor those of obstacles",
+        "engine", "use another engine");
+  }
+  if (world.box().is_sheared()) {
+    const bool has_cells = ShearedCells::supports(world, options.cell_edge.value_or(world.largest_radius()));
+    return has_cells && options.engine != EngineKind::all_pairs ? EngineKind::cells : EngineKind::all_pairs;
   }
   if (options.engine == EngineKind::neighbors && !NeighborList::supports(world)) return EngineKind::cells;
   if (options.engine != EngineKind::automatic) return options.engine;

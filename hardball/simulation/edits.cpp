@@ -24,7 +24,7 @@ void Simulation::respond_with(Function<Outcome(const Contact&)> response) {
   check_editable("respond_with");
   Interactions changed = world().interactions();
   changed.set_function(std::move(response));
-  check_threads(options(), changed);
+  check_threads(options(), world().box(), changed);
   tuner_->engine().world_to_edit().set_interactions(changed);
   sums_.tally.set_interactions(changed);
 }
@@ -35,7 +35,7 @@ void Simulation::respond_with(const ResponseTable& table) {
   responses.pass_as_in(world().interactions().table());
   Interactions changed(responses);
   changed.set_steps(world().interactions().steps());
-  check_threads(options(), changed);
+  check_threads(options(), world().box(), changed);
   tuner_->engine().world_to_edit().set_interactions(changed);
   sums_.tally.set_interactions(changed);
 }

@@ -17,6 +17,7 @@ using MakeEngine = std::unique_ptr<AnyEngine>(World world, const EngineOptions& 
                                               const Progress& progress);
 MakeEngine make_cells;               ///< For spheres none of which is much larger than a cell.
 MakeEngine make_large_sphere_cells;  ///< For others.
+MakeEngine make_sheared_cells;       ///< For sheared boxes.
 MakeEngine make_neighbors;
 MakeEngine make_all_pairs;
 MakeEngine make_paper;

@@ -41,7 +41,7 @@ Simulation::Simulation(World world, const EngineOptions& options, const OnProgre
     : tuner_(ValuePointer<Tuner>::make(options)),
       now_(latest_change(world)),
       user_data_(ValuePointer<UserData>::make()) {
-  check_threads(options, world.interactions());
+  check_threads(options, world.box(), world.interactions());
   const Progress progress(on_progress);
   progress.note(0, 1);
   begin_paths(world, now_);
@@ -348,7 +348,7 @@ void Simulation::set_threads(std::size_t threads) {
   check_idle("set_threads");
   EngineOptions changed = options();
   changed.threads = threads;
-  check_threads(changed, tuner_->engine().interactions());
+  check_threads(changed, world().box(), tuner_->engine().interactions());
   tuner_->set_threads(threads, now_);
 }
 

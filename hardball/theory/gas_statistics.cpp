@@ -45,7 +45,7 @@ void GasSums::note(const World& world, Slot slot, const Time& moment) {
     sum += power;
     power *= radius;
   }
-  speed += length(world.velocity(slot, moment));
+  speed += length(world.peculiar_velocity(slot, moment));
   largest_radius = std::max(largest_radius, world.base_radius(slot) * world.motion().largest_scale());
 }
 

@@ -13,6 +13,7 @@ double mean_over_normal(double degrees_of_freedom) {
 
 ThermalMotion thermal_motion(const World& world, const Time& moment) {
   ThermalMotion motion;
+  motion.is_driven = world.box().is_sheared();
   if (world.size() == 0) return motion;
   Vec3 momentum;
   double mass = 0;
@@ -20,7 +21,7 @@ ThermalMotion thermal_motion(const World& world, const Time& moment) {
   world.for_each_by_id([&](Slot slot) {
     if (world.is_kinematic(slot)) return;
     ++deflected;
-    momentum += world.mass(slot) * world.velocity(slot, moment);
+    momentum += world.mass(slot) * world.peculiar_velocity(slot, moment);
     mass += world.mass(slot);
   });
   motion.degrees_of_freedom = static_cast<double>(world.box().dimensions() * deflected);
@@ -33,7 +34,7 @@ ThermalMotion thermal_motion(const World& world, const Time& moment) {
   }
   world.for_each_by_id([&](Slot slot) {
     if (world.is_kinematic(slot)) return;
-    const Vec3 velocity = world.velocity(slot, moment) - motion.drift;
+    const Vec3 velocity = world.peculiar_velocity(slot, moment) - motion.drift;
     motion.energy += world.mass(slot) * dot(velocity, velocity) / 2;
   });
   return motion;

@@ -7,7 +7,7 @@
 namespace hardball {
 
 /// The motion of the spheres, kinematic ones aside, at one time, split into their common drift and the motion
-/// relative to it.
+/// relative to it; in a sheared box, both relative to the flow.
 struct ThermalMotion {
   /// Velocity of the center of mass along axes without walls, kinematic spheres and gravity, where it is
   /// conserved; zero along the others [L/T].
@@ -17,7 +17,7 @@ struct ThermalMotion {
   /// How many independent components of velocity there are: one for each sphere and dimension, less one for
   /// each axis without walls.
   double degrees_of_freedom = 0;
-  /// Whether its energy changes without losses: by a thermostat, or by potentials of steps.
+  /// Whether its energy changes without losses: by a thermostat, by potentials of steps, or by shear.
   bool is_driven = false;
 
   /// k T: twice the energy by the degrees of freedom [M L^2 T^-2]; NaN if there are none.

@@ -46,7 +46,8 @@ void Andersen::act(const World& world, const Time& moment, std::vector<NewVeloci
   const Slot slot = world.slot_of(due.sphere);
   Random random = event_random(seed_, due.sphere, due.count);
   const double spread = std::sqrt(temperature_ / world.mass(slot));
-  const Vec3 velocity = spread * random.normal_vector(world.box().dimensions());
+  Vec3 velocity = spread * random.normal_vector(world.box().dimensions());
+  if (world.box().is_sheared()) velocity += world.flow_velocity(slot, moment);
   if (!world.is_kinematic(slot)) changes.push_back({slot, world.velocity(slot, moment), velocity});
   due.time += wait(random);
   ++due.count;

@@ -14,9 +14,8 @@
 namespace hardball {
 
 /// Every sphere gets a new velocity from Maxwell's distribution, as if a heat bath had hit it, at the times
-/// of a Poisson process of its own. Elastic spheres so sample the canonical ensemble. Total momentum is not
-/// conserved.
-/// Source: Andersen, J. Chem. Phys. 72 (1980) 2384.
+/// of a Poisson process of its own; in a sheared box, relative to the flow. Elastic spheres so sample the
+/// canonical ensemble. Total momentum is not conserved. Source: Andersen, J. Chem. Phys. 72 (1980) 2384.
 class HARDBALL_EXPORT Andersen {
  public:
   static constexpr std::string_view kName = "andersen";

@@ -15,20 +15,26 @@ namespace hardball {
 
 /// At equal intervals all velocities are scaled so that the temperature is exact: that of the measure
 /// `temperature`, 2 E / f, with E relative to the common drift along axes on which nothing outside acts. The
-/// drift stays, and with it the momentum of a periodic box. Spheres without relative motion do not change.
-/// Source: Woodcock, Chem. Phys. Lett. 10 (1971) 257.
+/// drift stays, and with it the momentum of a periodic box. Spheres without relative motion do not change. In
+/// a sheared box all of it is relative to the flow.
+///
+/// With slabs, velocities are relative to the mean in each slab across y: to the flow as it is, where its
+/// profile is not known, or not linear.
+/// Source: Woodcock, Chem. Phys. Lett. 10 (1971) 257; Evans and Morriss, Phys. Rev. Lett. 56 (1986) 2172.
 class HARDBALL_EXPORT Rescale {
  public:
   static constexpr std::string_view kName = "rescale";
 
-  /// `temperature` is k T [M L^2 T^-2]; `every` [T] the interval. Error: one is not positive.
-  Rescale(double temperature, double every);
+  /// `temperature` is k T [M L^2 T^-2]; `every` [T] the interval; `slabs` their number, zero for none. Error:
+  /// temperature or interval is not positive.
+  Rescale(double temperature, double every, std::size_t slabs = 0);
 
   double temperature() const { return temperature_; }
   double every() const { return times_.every(); }
+  std::size_t slabs() const { return slabs_; }
 
-  /// Starts at `now` [T].
-  void begin(const World& /*world*/, double now, std::uint64_t /*seed*/) { times_.begin(now); }
+  /// Starts at `now` [T]. Error: there are slabs, and the box is open along y.
+  void begin(const World& world, double now, std::uint64_t seed);
   double next() const { return times_.next(); }
   /// Appends the new velocities in the order of ids, and advances to the next time. Cost: O(n).
   void act(const World& world, const Time& moment, std::vector<NewVelocity>& changes);
@@ -36,10 +42,17 @@ class HARDBALL_EXPORT Rescale {
  private:
   friend class Persistence;
   Rescale() : Rescale(1, 1) {}
-  static void persist(auto& archive, auto& self) { archive(self.temperature_, self.times_); }
+  static void persist(auto& archive, auto& self) {
+    archive(self.temperature_, self.times_);
+    if (archive.version() >= kVersionOfSlabs) archive(self.slabs_);
+  }
+  static constexpr std::uint32_t kVersionOfSlabs = 8;  // of archives
+
+  void act_in_slabs(const World& world, const Time& moment, std::vector<NewVelocity>& changes) const;
 
   double temperature_;
   Intervals times_;
+  std::size_t slabs_ = 0;
 };
 
 }  // namespace hardball

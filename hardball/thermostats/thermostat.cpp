@@ -46,7 +46,9 @@ std::span<const NewVelocity> Thermostat::act(const World& world, const Time& mom
   ++events_;
   for (NewVelocity& change : changes_) {
     flush(change.after);
-    energy_ += world.mass(change.slot) * dot(change.after - change.before, change.after + change.before) / 2;
+    Vec3 sum = change.after + change.before;
+    if (world.box().is_sheared()) sum -= 2 * world.flow_velocity(change.slot, moment);
+    energy_ += world.mass(change.slot) * dot(change.after - change.before, sum) / 2;
   }
   return changes_;
 }

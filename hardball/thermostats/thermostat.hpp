@@ -37,7 +37,8 @@ class HARDBALL_EXPORT Thermostat {
   std::uint64_t seed() const { return seed_; }
   /// How often it has acted: on one sphere (Andersen) or on all.
   std::uint64_t events() const { return events_; }
-  /// The energy it has given to the spheres, negative if it has taken more [M L^2 T^-2].
+  /// The energy it has given to the spheres, negative if it has taken more; in a sheared box, relative to the
+  /// flow [M L^2 T^-2].
   double energy() const { return energy_; }
 
   /// Restarts. Cost: O(n).

@@ -212,18 +212,20 @@ std::optional<std::array<double, count>> numbers_of(const Pairs& pairs, std::str
   return numbers;
 }
 
-// The box, if the frame has one whose edges lie along the axes.
+// The box, if the frame has one whose edges lie along the axes, or that is tilted along x across y.
 std::optional<SnapshotBox> box_of(const Pairs& pairs) {
   const auto lattice = numbers_of<9>(pairs, "Lattice");
   if (!lattice) return std::nullopt;
   SnapshotBox box;
   for (std::size_t i = 0; i < lattice->size(); ++i) {
     const bool is_edge = i % (kAxes + 1) == 0;
-    if (is_edge ? !((*lattice)[i] >= 0) : (*lattice)[i] != 0) return std::nullopt;
+    const bool is_tilt = i == kAxes;
+    if (is_edge ? !((*lattice)[i] >= 0) : !is_tilt && (*lattice)[i] != 0) return std::nullopt;
+    if (is_tilt) box.tilt = (*lattice)[i];
     if (is_edge) box.size[i / kAxes] = (*lattice)[i];
   }
   if (const auto origin = numbers_of<3>(pairs, "Origin"))
-    box.low = {(*origin)[0], (*origin)[1], (*origin)[2]};
+    box.low = {(*origin)[0] + box.tilt / 2, (*origin)[1], (*origin)[2]};
   if (const auto periodic = pairs.find("pbc"); periodic != pairs.end()) {
     const std::vector<Token> axes = tokens_of(periodic->second.text);
     for (std::size_t axis = 0; axis < std::min(axes.size(), kAxes); ++axis)

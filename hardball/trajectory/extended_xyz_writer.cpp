@@ -22,12 +22,12 @@ std::string comment_line(const Snapshot& snapshot) {
   const SnapshotBox box = box_of(snapshot);
   std::string line = "Lattice=\"";
   append_text(line, Vec3{box.size.x, 0, 0});
-  append_text(line, Vec3{0, box.size.y, 0});
+  append_text(line, Vec3{box.tilt, box.size.y, 0});
   append_text(line, Vec3{0, 0, box.size.z});
   line.back() = '"';
-  if (box.low != Vec3{} || box.is_unbounded || box.is_flat) {
+  if (box.corner() != Vec3{} || box.is_unbounded || box.is_flat) {
     line += " Origin=\"";
-    append_text(line, box.low);
+    append_text(line, box.corner());
     line.back() = '"';
   }
   line += " pbc=\"";

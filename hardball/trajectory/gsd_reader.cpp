@@ -74,11 +74,13 @@ void GsdReader::read_box(std::size_t frame, Snapshot& snapshot) {
   box.is_flat = !dimensions.empty() && dimensions[0] == 2;
   const std::string edges = chunk(frame, Chunk::box, Type::float32, 6, 1);
   if (edges.empty()) return;
-  for (std::size_t tilt = kAxes; tilt < 2 * kAxes; ++tilt) {
+  for (std::size_t tilt = kAxes + 1; tilt < 2 * kAxes; ++tilt) {
     if (single_at(edges, tilt) == 0) continue;
-    throw Error("the box is triclinic", file_.name(), "give a box whose edges lie along the axes");
+    throw Error("the box is triclinic, not only tilted along x across y", file_.name(),
+                "give a box whose edges lie along the axes");
   }
   box.size = single_vector_at(edges, 0);
+  box.tilt = static_cast<double>(single_at(edges, kAxes)) * box.size.y;
   box.is_periodic = {true, true, !box.is_flat};
   if (const std::string periodic = chunk(frame, Chunk::periodic, Type::uint8, 3, 1); !periodic.empty()) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) box.is_periodic[axis] = periodic[axis] != 0;

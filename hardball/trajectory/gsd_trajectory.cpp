@@ -208,8 +208,10 @@ void GsdTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
   const auto centered = [&](const Vec3& position, std::size_t axis) {
     const float from_center = hardball::single(position[axis] - center[axis]);
     if (!box.is_periodic[axis]) return from_center;
+    const double height = (position.y - center.y) / box.size.y;
+    const float middle = axis == 0 && box.tilt != 0 ? hardball::single(box.tilt * height) : 0;
     const float half = hardball::single(box.size[axis]) / 2;
-    return std::clamp(from_center, -half, std::nextafter(half, 0.0F));
+    return middle + std::clamp(from_center - middle, -half, std::nextafter(half, 0.0F));
   };
 
   // In the order of their names, as GSD demands; all of them in the first frame, as gsd.hoomd does.
@@ -219,7 +221,9 @@ void GsdTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
   std::string edges;
   for (std::size_t axis = 0; axis < kAxes; ++axis)
     hardball::append(edges, axis == 2 && box.is_flat ? 0 : hardball::single(box.size[axis]));
-  for (std::size_t tilt = 0; tilt < kAxes; ++tilt) hardball::append(edges, 0.0F);
+  // The tilts are relative to the edges that they tilt.
+  hardball::append(edges, box.tilt == 0 ? 0 : hardball::single(box.tilt / box.size.y));
+  for (std::size_t tilt = 1; tilt < kAxes; ++tilt) hardball::append(edges, 0.0F);
   write_unless_as_first(Chunk::box, Type::float32, 1, edges);
   write_unless_as_first(Chunk::count, Type::uint32, 1, scalar(static_cast<std::uint32_t>(count)));
   write_chunk(Chunk::position, Type::float32, kAxes,

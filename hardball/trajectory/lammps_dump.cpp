@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/trajectory/lammps_dump.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,12 +26,17 @@ const char* boundary_of(const SnapshotBox& box, std::size_t axis) {
 std::string header(const Snapshot& snapshot, std::size_t spheres, std::uint64_t frame) {
   const SnapshotBox box = box_of(snapshot);
   std::string text = "ITEM: TIMESTEP\n" + to_text(frame) + "\nITEM: NUMBER OF ATOMS\n" + to_text(spheres) +
-                     "\nITEM: BOX BOUNDS";
+                     "\nITEM: BOX BOUNDS" + (box.tilt == 0 ? "" : " xy xz yz");
   for (std::size_t axis = 0; axis < kAxes; ++axis) text += boundary_of(box, axis);
   text += '\n';
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    append_text(text, box.low[axis]);
-    append_text(text, box.low[axis] + box.size[axis]);
+    // Of a tilted box, the ends of a box around it.
+    const double low = axis == 0 ? box.corner().x + std::min(0.0, box.tilt) : box.low[axis];
+    const double high =
+        axis == 0 ? box.corner().x + box.size.x + std::max(0.0, box.tilt) : box.low[axis] + box.size[axis];
+    append_text(text, low);
+    append_text(text, high);
+    if (box.tilt != 0) append_text(text, axis == 0 ? box.tilt : 0.0);
     text.back() = '\n';
   }
   text += "ITEM: ATOMS id type x y z ix iy iz vx vy vz radius mass";
@@ -49,10 +57,9 @@ struct Header {
 
 SnapshotBox read_box(Lines& lines, std::string_view axes) {
   SnapshotBox box;
-  const std::vector<Token> boundaries = tokens_of(axes);
-  if (boundaries.size() > kAxes) {
-    throw Error("the box is triclinic", lines.location().text(), "give a box whose edges lie along the axes");
-  }
+  std::vector<Token> boundaries = tokens_of(axes);
+  const bool is_tilted = boundaries.size() > kAxes;
+  if (is_tilted) boundaries.erase(boundaries.begin(), boundaries.begin() + kAxes);  // xy xz yz
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::string_view boundary = axis < boundaries.size() ? boundaries[axis].text : "ff";
     box.is_periodic[axis] = boundary.starts_with('p');
@@ -61,13 +68,23 @@ SnapshotBox read_box(Lines& lines, std::string_view axes) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     need_line(lines);
     const std::vector<Token> ends = tokens_of(lines.line());
-    if (ends.size() != 2) {
+    if (ends.size() != (is_tilted ? 3 : 2)) {
       throw Error("the line has " + to_text(ends.size()) + " values", lines.location().text(),
                   "give the two ends of the box along an axis");
+    }
+    const double tilt = is_tilted ? parse_real(ends[2], "the tilt", lines.location()) : 0;
+    if (axis == 0) {
+      box.tilt = tilt;
+    } else if (tilt != 0) {
+      throw Error("the box is triclinic, not only tilted along x across y", lines.location().text(),
+                  "give a box whose edges lie along the axes");
     }
     box.low[axis] = parse_real(ends[0], "the lower end", lines.location());
     box.size[axis] = parse_real(ends[1], "the upper end", lines.location()) - box.low[axis];
   }
+  // The ends are those of a box around it.
+  box.low.x -= std::min(0.0, box.tilt) - box.tilt / 2;
+  box.size.x -= std::fabs(box.tilt);
   return box;
 }
 

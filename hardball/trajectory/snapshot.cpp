@@ -35,6 +35,24 @@ void reorder(std::vector<Value>& values, const std::vector<std::size_t>& order) 
   values = std::move(sorted);
 }
 
+// Tilts the box as images above are displaced at `moment`, and folds centers into the tilted cell: programs
+// that know no images that slide show a cell like that.
+void tilt_as_sheared(const Box& box, const Time& moment, Snapshot& snapshot) {
+  const Vec3& size = box.size();
+  const double displacement = box.images().displacement(moment).high;
+  const double boxes = std::round(displacement / size.x);
+  const double tilt = box.images().displacement_in_box(moment);
+  snapshot.box->tilt = tilt > size.x / 2 ? tilt - size.x : tilt;
+  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
+    Vec3& position = snapshot.spheres[i].position;
+    const double beyond =
+        std::floor((position.x - snapshot.box->tilt * (position.y / size.y - 0.5)) / size.x);
+    position.x -= beyond * size.x;
+    Image& image = snapshot.images[i];
+    image[0] += static_cast<std::int32_t>(beyond + boxes * image[1]);
+  }
+}
+
 bool is_finite(const Vec3& vector) {
   return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
@@ -75,6 +93,7 @@ Snapshot snapshot_of(const World& world, const Time& moment) {
       span_spheres(snapshot.spheres, axis, shown);
     }
   }
+  if (box.is_sheared()) tilt_as_sheared(box, moment, snapshot);
   return snapshot;
 }
 

@@ -21,6 +21,12 @@ struct SnapshotBox {
   std::array<bool, kAxes> is_periodic{};
   bool is_unbounded = false;  ///< Along some axis it only spans the spheres.
   bool is_flat = false;       ///< It is a plane, and the spheres are discs.
+  /// By how much its upper end along y is displaced along x against the lower one, in a sheared box: at most
+  /// half of the size along x. Centers lie in the tilted cell, whose middle is that of the box [L].
+  double tilt = 0;
+
+  /// The corner of the cell with the least coordinates along y and z [L].
+  Vec3 corner() const { return {low.x - tilt / 2, low.y, low.z}; }
 
   friend bool operator==(const SnapshotBox&, const SnapshotBox&) = default;
 };

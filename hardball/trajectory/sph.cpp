@@ -82,7 +82,8 @@ void append_sph(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
     line = {static_cast<char>('a' + sphere.species % kLetters), ' '};
     const Image image = snapshot.image(i);
     for (std::size_t axis = 0; axis < kAxes; ++axis)
-      append_text(line, sphere.position[axis] + image[axis] * box.size[axis]);
+      append_text(
+          line, sphere.position[axis] + image[axis] * box.size[axis] + (axis == 0 ? image[1] * box.tilt : 0));
     append_text(line, sphere.radius);
     line.back() = '\n';
     append(line);

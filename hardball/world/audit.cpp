@@ -35,13 +35,8 @@ void note_escape(const World& world, Slot slot, const Vec3& position, const Time
 
 // From one center to the nearest image of another, from folded positions.
 Vec3 nearest_separation(const World& world, Slot from, Slot to, const Time& moment) {
-  Vec3 separation = world.position(to, moment) - world.position(from, moment);
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!world.box().is_periodic(axis)) continue;
-    const double size = world.box().size()[axis];
-    separation[axis] -= size * std::round(separation[axis] / size);
-  }
-  return separation;
+  const Vec3 separation = world.position(to, moment) - world.position(from, moment);
+  return separation + world.box().shift(world.box().nearest_image(-separation, moment), moment);
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
                      [&](Slot a, Slot b) { return world.base_radius(a) > world.base_radius(b); });
   }
   const bool may_overlap = world.has_passing_pairs() || world.has_steps();
-  StaticHashGrid neighborhood(world.box(), world.size(), world.largest_radius());
+  StaticHashGrid neighborhood(world.box(), world.size(), world.largest_radius(), moment);
   std::vector<Slot> inserted;
   inserted.reserve(world.size());
   std::size_t seen = 0;
@@ -136,8 +131,7 @@ std::vector<Event> overlaps_of(const World& world, Slot slot, std::span<const Sl
   for (const Slot other : others) {
     if (other == slot || world.pass(slot, other)) continue;
     const Image image = nearest_image(world, slot, other, now);
-    const Vec3 separation =
-        separation_at(world.motion(), world.path(slot), world.path(other), world.box().shift(image), now);
+    const Vec3 separation = relative_state(world, slot, other, image, now).position;
     const double reach = world.radius(slot, now) + world.radius(other, now);
     if (!(dot(separation, separation) < reach * reach)) continue;
     overlaps.push_back(make_collision(now, world.id(slot), world.id(other), image));

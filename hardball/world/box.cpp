@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/number.hpp"
 #include "hardball/geometry/range.hpp"
 
 namespace hardball {
@@ -63,6 +64,20 @@ void Box::set_face(Face face, const FaceProperties& properties) {
   faces_[face] = properties;
 }
 
+void Box::set_shear(const Shear& shear) {
+  check_finite(shear.rate, "the shear rate", "shear");
+  check_finite(shear.offset, "the offset", "shear");
+  if (shear.rate != 0 && std::fabs(shear.rate) < kSmallestMagnitude) {
+    throw Error("the shear rate is " + to_text(shear.rate), "shear",
+                "give zero, or a magnitude of at least 1e-60");
+  }
+  if (shear.is_present() && !(is_periodic(0) && is_periodic(1))) {
+    throw Error("the box is sheared, and not periodic along x and y", "shear",
+                "make both periodic, or let walls move along themselves");
+  }
+  images_ = shear.is_present() ? SlidingImages(shear, size_.x, size_.y) : SlidingImages();
+}
+
 bool Box::has_plain_faces() const {
   return std::ranges::all_of(faces_, [](const FaceProperties& face) { return face == FaceProperties(); });
 }
@@ -81,13 +96,41 @@ Image Box::count_boxes_beyond(Vec3 position) const {
   return beyond;
 }
 
+Image Box::count_sheared_boxes_beyond(Vec3 position, const Time& moment) const {
+  const Vec3 above{size_.x / 2, position.y, position.z};
+  Image beyond = count_boxes_beyond(above);
+  beyond[0] = boxes_along(position.x, beyond[1], moment, [](double boxes) { return std::floor(boxes); });
+  return beyond;
+}
+
+Image Box::nearest_sheared_image(Vec3 apart, const Time& moment) const {
+  Image nearest = nearest_image({0, apart.y, apart.z});
+  nearest[0] = boxes_along(apart.x, nearest[1], moment, round_to_integer<double>);
+  return nearest;
+}
+
+// By how many boxes `distance` [L] along x exceeds the displacement of the image `above`, rounded.
+template <class Round>
+std::int32_t Box::boxes_along(double distance, std::int32_t above, const Time& moment, Round&& round) const {
+  const DoubleDouble<double> slid =
+      DoubleDouble<double>{static_cast<double>(above), 0} * images_.displacement(moment);
+  const double boxes = round((DoubleDouble<double>{distance, 0} - slid).high * inverse_period_.x);
+  if (!(std::fabs(boxes) <= kMaxBoxesBeyond)) {
+    throw RunFailure(
+        "the images of the sheared box have slid by 2^30 boxes; begin a new run where this ends");
+  }
+  return static_cast<std::int32_t>(boxes);
+}
+
 bool Box::restored() {
   const auto is_known = [](Boundary boundary) {
     return boundary >= Boundary::wall && boundary <= Boundary::flat;
   };
   if (!std::ranges::all_of(boundary_, is_known)) return false;
   const std::array<FaceProperties, kFaces> faces = faces_;
+  const Shear shear = this->shear();
   *this = Box(boundary_, size_);
+  set_shear(shear);
   for (Face face = 0; face < kFaces; ++face) {
     if (!(faces[face] == FaceProperties())) set_face(face, faces[face]);
   }

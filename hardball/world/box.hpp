@@ -8,11 +8,13 @@
 #include <limits>
 #include <numbers>
 #include <string_view>
+#include <type_traits>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/surfaces/surface_material.hpp"
+#include "hardball/world/shear.hpp"
 
 namespace hardball {
 
@@ -87,6 +89,16 @@ class HARDBALL_EXPORT Box {
   /// Whether all faces that are walls reflect spheres as the response says.
   bool has_plain_faces() const;
 
+  /// Lets the box be sheared. Error: x or y is not periodic; a number that is not finite or out of range.
+  void set_shear(const Shear& shear);
+  const Shear& shear() const { return images_.shear(); }
+  /// Whether images above and below slide along x, or are displaced.
+  bool is_sheared() const { return images_.are_present(); }
+  /// How they do so.
+  const SlidingImages& images() const { return images_; }
+  /// The velocity along x of the flow at a height [L/T]: zero in the middle, and where there is no shear.
+  double flow_speed(double y) const { return shear().rate * (y - size_.y / 2); }
+
   /// Whether this is a plane: everything has z = 0.
   bool is_flat() const { return boundary_[2] == Boundary::flat; }
   /// 3, or 2 if the box is flat: axes from this number on do not exist.
@@ -115,10 +127,18 @@ class HARDBALL_EXPORT Box {
 
   friend bool operator==(const Box&, const Box&) = default;
 
-  /// The displacement [L] of `image`.
+  /// The displacement [L] of `image`. Precondition: the box is not sheared.
   Vec3 shift(const Image& image) const {
     return {image[0] * period_.x, image[1] * period_.y, image[2] * period_.z};
   }
+  /// The same at `moment`, also in a sheared box.
+  Vec3 shift(const Image& image, const Time& moment) const {
+    Vec3 shift = this->shift(image);
+    if (is_sheared() && image[1] != 0) shift.x = images_.shift(image[0], image[1], moment);
+    return shift;
+  }
+  /// How much faster `image` moves than the body [L/T].
+  Vec3 image_velocity(const Image& image) const { return {image[1] * images_.speed(), 0, 0}; }
 
   /// Edge lengths along periodic axes, zero along the others [L].
   const Vec3& period() const { return period_; }
@@ -143,8 +163,30 @@ class HARDBALL_EXPORT Box {
     return beyond;
   }
 
+  /// By how many boxes `position` lies outside this one at `moment`, also in a sheared box. Error: likewise.
+  Image boxes_beyond(const Vec3& position, const Time& moment) const {
+    if (needs_no_folding(position)) return {};
+    return is_sheared() ? count_sheared_boxes_beyond(position, moment) : count_boxes_beyond(position);
+  }
+
+  /// Moves a body at `position` [L] into the box and gives it the `velocity` [L/T] of its image there, also
+  /// in a sheared box; returns boxes_beyond(position, moment).
+  Image fold(Vec3& position, Vec3& velocity, const Time& moment) const {
+    if (needs_no_folding(position)) return {};
+    const Image beyond = boxes_beyond(position, moment);
+    position -= shift(beyond, moment);
+    if (is_sheared()) velocity -= image_velocity(beyond);
+    return beyond;
+  }
+
+  /// The image of a body that is nearest to another at `moment`, also in a sheared box.
+  Image nearest_image(const Vec3& apart, const Time& moment) const {
+    return is_sheared() ? nearest_sheared_image(apart, moment) : nearest_image(apart);
+  }
+
   /// The image of a body that is nearest to another, `apart` [L] being the vector from the body to the other;
-  /// zero along axes that are not periodic. Precondition: they are fewer than 2^31 boxes apart.
+  /// zero along axes that are not periodic. Precondition: they are fewer than 2^31 boxes apart; the box is
+  /// not sheared.
   Image nearest_image(const Vec3& apart) const {
     const Vec3 boxes = nearest_boxes(apart, inverse_period_);
     return {{static_cast<std::int32_t>(boxes.x), static_cast<std::int32_t>(boxes.y),
@@ -156,10 +198,15 @@ class HARDBALL_EXPORT Box {
   static void persist(auto& archive, auto& self) {
     archive(self.boundary_, self.size_);
     if (archive.version() >= kVersionOfFaces) archive(self.faces_);
+    if (archive.version() < kVersionOfShear) return;
+    Shear shear = self.shear();
+    archive(shear);
+    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) self.images_ = {shear, 0, 0};
   }
   bool restored();
 
   static constexpr std::uint32_t kVersionOfFaces = 2;  // of archives
+  static constexpr std::uint32_t kVersionOfShear = 8;
 
   // Most centers lie in the box, which takes no division to find out.
   bool needs_no_folding(const Vec3& position) const {
@@ -169,6 +216,10 @@ class HARDBALL_EXPORT Box {
 
   // By value: passed by reference, a position would be kept in memory even where this is not called.
   Image count_boxes_beyond(Vec3 position) const;
+  Image count_sheared_boxes_beyond(Vec3 position, const Time& moment) const;
+  Image nearest_sheared_image(Vec3 apart, const Time& moment) const;
+  template <class Round>
+  std::int32_t boxes_along(double distance, std::int32_t above, const Time& moment, Round&& round) const;
 
   std::array<Boundary, kAxes> boundary_;
   Vec3 size_;
@@ -178,6 +229,7 @@ class HARDBALL_EXPORT Box {
   Vec3 lower_end_;
   Vec3 upper_end_;
   std::array<FaceProperties, kFaces> faces_{};
+  SlidingImages images_;
 };
 
 }  // namespace hardball

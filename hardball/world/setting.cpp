@@ -125,7 +125,12 @@ void check_setting(const Box& box, const Motion& motion, std::span<const Surface
       throw Error("gravity is " + to_text(g), "gravity", "give zero, or a magnitude of at least 1e-60");
     }
   }
-  for (const Surface& surface : surfaces) refuse_in_periodic_box(surface, box);
+  for (const Surface& surface : surfaces) {
+    refuse_in_periodic_box(surface, box);
+    if (!box.is_sheared() || normal_of(surface) != nullptr) continue;
+    throw Error("the box is sheared, and there is a " + std::string(surface.name()), "walls",
+                "use planes across z, or no surfaces");
+  }
   if (!box.is_flat()) return;
   refuse_out_of_plane(gravity, "gravity", "gravity");
   for (const Surface& surface : surfaces) refuse_out_of_plane(surface);

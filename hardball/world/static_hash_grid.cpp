@@ -8,8 +8,9 @@
 
 namespace hardball {
 
-StaticHashGrid::StaticHashGrid(const Box& box, std::size_t capacity, double largest_radius)
-    : box_(box), capacity_(capacity) {
+StaticHashGrid::StaticHashGrid(const Box& box, std::size_t capacity, double largest_radius,
+                               const Time& moment)
+    : box_(box), slid_(box.is_sheared() ? box.images().displacement_in_box(moment) : 0), capacity_(capacity) {
   // Radii of at most 2^-19 times the largest share the last level.
   constexpr int kLevels = 20;
   for (int i = 0; i < kLevels; ++i) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -20,8 +21,9 @@ namespace hardball {
 /// small ones: then a query costs O(1) per level, whatever the spread of radii.
 class StaticHashGrid {
  public:
-  /// `capacity` is the number of spheres that will be inserted, `largest_radius` [L] bounds their radii.
-  StaticHashGrid(const Box& box, std::size_t capacity, double largest_radius);
+  /// `capacity` is the number of spheres that will be inserted, `largest_radius` [L] bounds their radii. The
+  /// images of a sheared box are those of `moment`.
+  StaticHashGrid(const Box& box, std::size_t capacity, double largest_radius, const Time& moment = Time(0));
 
   /// Adds a sphere; its index is the number of spheres inserted before. `center` lies inside a periodic box.
   void insert(const Vec3& center, double radius);
@@ -47,12 +49,10 @@ class StaticHashGrid {
         visit(index, separation, reach);
         return false;
       };
-      const Cells cells = cells_near(level, center, radius);
-      if (are_too_many(cells)) {
-        search_all(level, cells, center, radius, go_on);
-      } else {
-        search(level, cells, center, radius, go_on);
-      }
+      is_any_layer(level, center, radius, [&](const Cells& cells, const Vec3& seen_from) {
+        return are_too_many(cells) ? search_all(level, cells, seen_from, radius, go_on)
+                                   : search(level, cells, seen_from, radius, go_on);
+      });
     }
   }
 
@@ -64,9 +64,11 @@ class StaticHashGrid {
       if (level.buckets.empty()) continue;
       const Cell own = cell_at(level, center);  // the likeliest
       if (search(level, {own, own}, center, radius, predicate)) return true;
-      const Cells near = cells_near(level, center, radius);
-      fetch(level, near);
-      if (search(level, near, center, radius, predicate)) return true;
+      const bool is_near = is_any_layer(level, center, radius, [&](const Cells& near, const Vec3& seen_from) {
+        fetch(level, near);
+        return search(level, near, seen_from, radius, predicate);
+      });
+      if (is_near) return true;
     }
     return false;
   }
@@ -102,6 +104,24 @@ class StaticHashGrid {
     std::int64_t index;
     std::int32_t boxes;
   };
+
+  // Whether search(cells, seen_from) holds for the cells near a point, or in a sheared box for any layer of
+  // images of the box, as seen from a point that is displaced as they are.
+  template <class Search>
+  bool is_any_layer(const Level& level, const Vec3& center, double radius, Search&& search) const {
+    const Cells near = cells_near(level, center, radius);
+    if (!box_.is_sheared()) return search(near, center);
+    const std::int64_t rows = level.count[1];
+    for (std::int32_t above = fold(near.low[1], rows).boxes; above <= fold(near.high[1], rows).boxes;
+         ++above) {
+      const Vec3 seen_from = center - Vec3{above * slid_, 0, 0};
+      Cells cells = cells_near(level, seen_from, radius);
+      cells.low[1] = std::max(cells.low[1], above * rows);
+      cells.high[1] = std::min(cells.high[1], above * rows + rows - 1);
+      if (search(cells, seen_from)) return true;
+    }
+    return false;
+  }
 
   // Whether predicate(index, separation, reach) holds for any sphere in these cells of a level.
   template <class Predicate>
@@ -221,6 +241,7 @@ class StaticHashGrid {
   std::size_t level_for(double radius) const;
 
   Box box_;
+  double slid_;  // by how much the image above a sheared box is displaced
   std::size_t capacity_;
   std::vector<Level> levels_;
   LargeVector<Resting> spheres_;

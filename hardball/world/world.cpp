@@ -49,6 +49,7 @@ World::World(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces)
   check_setting(box_, motion_, surfaces_);
   // A state that an earlier version has saved may have planes that are not.
   check_reachable(box_, surfaces_);
+  refuse_shear_with_others();
 }
 
 void World::reserve(std::size_t count) {
@@ -64,8 +65,8 @@ SphereId World::add(const Sphere& sphere, const Time& moment) {
   }
   check(sphere);
   check_moment(moment, name_of(next_id_));
-  const Image beyond = box_.boxes_beyond(sphere.position);
-  const Path path{sphere.position - box_.shift(beyond), sphere.velocity, moment};
+  Path path{sphere.position, sphere.velocity, moment};
+  const Image beyond = box_.fold(path.position, path.velocity, moment);
   append({next_id_, path, sphere.radius, sphere.mass, sphere.inertia_factor, beyond, sphere.spin,
           sphere.species});
   order_.append();
@@ -231,7 +232,8 @@ Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity
 
 Image World::rewrite_path(Slot slot, const Time& moment, const Vec3& velocity) {
   Vec3 position = unfolded_position(slot, moment);
-  const Image folded = box_.fold(position);
+  const Image folded = box_.boxes_beyond(position, moment);
+  position -= box_.shift(folded, moment);
   SphereEdit(*this, moment, slot).store_path(slot, {position, velocity, moment}, folded);
   return folded;
 }
@@ -268,6 +270,7 @@ void World::set_interactions(const Interactions& interactions) {
   check_steps();
   note_traits();
   if (motion_.has_growth()) refuse_growth_with_others();
+  refuse_shear_with_others();
 }
 
 void World::set_growth(const Growth& growth) {
@@ -302,7 +305,17 @@ void World::refuse_growth_with_others() const {
   if (interactions_.table().has_merging()) refuse("some merge", "let them bounce");
   if (interactions_.has_passing()) refuse("some pass through each other", "let them bounce");
   if (has_steps()) refuse("there are potentials of steps", "remove one of them");
+  if (box_.is_sheared()) refuse("the box is sheared", "remove one of them");
   check_walls_for_growth(box_, surfaces_);
+}
+
+void World::refuse_shear_with_others() const {
+  if (!box_.is_sheared()) return;
+  const auto refuse = [](const char* what, const char* remedy) {
+    throw Error(std::string("the box is sheared, and ") + what, "shear", remedy);
+  };
+  if (!motion_.is_straight()) refuse("there is gravity", "remove one of them");
+  if (has_steps()) refuse("there are potentials of steps", "remove one of them");
 }
 
 std::optional<Slot> World::find(SphereId id, Slot hint) const {
@@ -321,14 +334,19 @@ Slot World::slot_of(SphereId id) const {
 
 Vec3 World::position(Slot slot, const Time& moment) const {
   check_queried(moment, "position");
-  Vec3 position = unfolded_position(slot, moment);
-  box_.fold(position);
-  return position;
+  const Vec3 position = unfolded_position(slot, moment);
+  return position - box_.shift(box_.boxes_beyond(position, moment), moment);
+}
+
+Vec3 World::velocity_in_box(Slot slot, const Time& moment) const {
+  State state = motion_.state_at(paths_[slot], moment);
+  box_.fold(state.position, state.velocity, moment);
+  return state.velocity;
 }
 
 Image World::image(Slot slot, const Time& moment) const {
   check_queried(moment, "image");
-  return folded_[slot] + box_.boxes_beyond(unfolded_position(slot, moment));
+  return folded_[slot] + box_.boxes_beyond(unfolded_position(slot, moment), moment);
 }
 
 double World::kinetic_energy(const Time& moment) const {
@@ -391,11 +409,16 @@ double energy(const World& world, Slot slot, const Time& moment) {
   return kinetic - world.mass(slot) * dot(world.motion().gravity(), world.unwrapped_position(slot, moment));
 }
 
+Time sheared_contact_time(const World& world, Slot a, Slot b, const Image& image) {
+  const Time start = later(world.path(a).time, world.path(b).time);
+  const State relative = relative_state(world, a, b, image, start);
+  return after(start, time_to_reach(relative.position, relative.velocity,
+                                    world.base_radius(a) + world.base_radius(b)));
+}
+
 bool are_passing(const World& world, Slot a, Slot b, const Image& image) {
-  const Path& first = world.path(a);
-  const Path& second = world.path(b);
-  const Vec3 separation =
-      separation_at(world.motion(), first, second, world.box().shift(image), later(first.time, second.time));
+  const Time start = later(world.path(a).time, world.path(b).time);
+  const Vec3 separation = relative_state(world, a, b, image, start).position;
   return are_inside(separation, world.base_radius(a) + world.base_radius(b)) ||
          is_recorded(make_collision(contact_time(world, a, b, image), world.id(a), world.id(b), {}),
                      world.last_passage());
@@ -443,6 +466,7 @@ bool World::restored() {
   order_.sort(ids_, next_id_);
   note_traits();
   if (motion_.has_growth()) set_growth(motion_.growth());
+  refuse_shear_with_others();
   return true;
 }
 

@@ -166,8 +166,29 @@ class HARDBALL_EXPORT World {
   Vec3 unfolded_position(Slot slot, const Time& moment) const {
     return motion_.position_at(paths_[slot], moment);
   }
-  /// The velocity at `moment` [L/T]. Precondition: `moment` is finite.
-  Vec3 velocity(Slot slot, const Time& moment) const { return motion_.velocity_at(paths_[slot], moment); }
+  /// The velocity at `moment` along the path [L/T]; in a sheared box, that of the image which began it.
+  /// Precondition: likewise.
+  Vec3 unfolded_velocity(Slot slot, const Time& moment) const {
+    return motion_.velocity_at(paths_[slot], moment);
+  }
+  /// The velocity at `moment` of the image that is in the box [L/T]. Precondition: likewise.
+  Vec3 velocity(Slot slot, const Time& moment) const {
+    if (box_.is_sheared()) [[unlikely]]
+      return velocity_in_box(slot, moment);
+    return unfolded_velocity(slot, moment);
+  }
+  /// The velocity relative to the flow of a sheared box where the sphere is [L/T], the same for all its
+  /// images; the velocity where there is no shear. Precondition: likewise.
+  Vec3 peculiar_velocity(Slot slot, const Time& moment) const {
+    if (box_.is_sheared()) [[unlikely]]
+      return velocity(slot, moment) - flow_velocity(slot, moment);
+    return unfolded_velocity(slot, moment);
+  }
+  /// The velocity of the flow of a sheared box where the sphere is in the box [L/T]; zero where there is no
+  /// shear. Precondition: likewise.
+  Vec3 flow_velocity(Slot slot, const Time& moment) const {
+    return {box_.is_sheared() ? box_.flow_speed(position(slot, moment).y) : 0, 0, 0};
+  }
   std::span<const Path> paths() const { return paths_; }
 
   /// Prefetches a sphere's path. The slot need not be in use.
@@ -206,17 +227,18 @@ class HARDBALL_EXPORT World {
 
   /// The center at `moment` [L], folded into a periodic box. Error: `moment` is NaN or infinite.
   Vec3 position(Slot slot, const Time& moment) const;
-  /// The center at `moment` as if it had never been folded into the box [L]. Precondition: as for
-  /// unfolded_position.
+  /// The center at `moment` as if it had never been folded into the box [L]; in a sheared box it moves on
+  /// with the flow at the height that it has reached. Precondition: as for unfolded_position.
   Vec3 unwrapped_position(Slot slot, const Time& moment) const {
-    return unfolded_position(slot, moment) + box_.shift(folded_[slot]);
+    return unfolded_position(slot, moment) + box_.shift(folded_[slot], moment);
   }
   /// By how many boxes the center at `moment` would lie outside the box if it had never been folded. Error:
   /// as for position().
   Image image(Slot slot, const Time& moment) const;
 
   /// Sum of m v^2 / 2 at `moment` [M L^2 T^-2]. These sums exclude kinematic spheres, and are exact until
-  /// they are rounded, so that the order of spheres does not matter. Cost: O(n).
+  /// they are rounded, so that the order of spheres does not matter; in a sheared box they are relative to
+  /// the flow. Cost: O(n).
   double kinetic_energy(const Time& moment) const;
   /// Sum of I w^2 / 2, with the spin w [M L^2 T^-2]. Cost: O(n).
   double rotational_energy() const;
@@ -311,6 +333,8 @@ class HARDBALL_EXPORT World {
   }
   bool restored();
 
+  Vec3 velocity_in_box(Slot slot, const Time& moment) const;
+  void refuse_shear_with_others() const;
   void set_level(Slot a, Slot b, StepTable::Number potential, StepPotential::Level level, const Time& moment);
   void assign_level(Slot a, Slot b, const Time& moment);
   void check_steps() const;
@@ -354,16 +378,17 @@ class HARDBALL_EXPORT World {
   Event last_passage_{Time(-std::numeric_limits<double>::infinity()), EventKind::collision, 0, 0, {}};
 };
 
-/// m v^2 / 2 of one sphere at `moment` [M L^2 T^-2]; zero of a kinematic one.
+/// m v^2 / 2 of one sphere at `moment` [M L^2 T^-2]; zero of a kinematic one. In a sheared box, relative to
+/// the flow.
 inline double kinetic_energy(const World& world, Slot slot, const Time& moment) {
   if (world.is_kinematic(slot)) return 0;
-  const Vec3 velocity = world.velocity(slot, moment);
+  const Vec3 velocity = world.peculiar_velocity(slot, moment);
   return world.mass(slot) * dot(velocity, velocity) / 2;
 }
 
-/// m v of one sphere at `moment` [M L/T]; zero of a kinematic one.
+/// m v of one sphere at `moment` [M L/T]; zero of a kinematic one. In a sheared box, relative to the flow.
 inline Vec3 momentum(const World& world, Slot slot, const Time& moment) {
-  return world.is_kinematic(slot) ? Vec3{} : world.mass(slot) * world.velocity(slot, moment);
+  return world.is_kinematic(slot) ? Vec3{} : world.mass(slot) * world.peculiar_velocity(slot, moment);
 }
 
 /// I w^2 / 2 of one sphere [M L^2 T^-2]; zero of a kinematic one.
@@ -379,7 +404,17 @@ inline double coordinate_error(const World& world, Slot slot, const Time& now) {
 
 /// The image of `b` nearest to `a` at `moment`.
 inline Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
-  return world.box().nearest_image(world.unfolded_position(a, moment) - world.unfolded_position(b, moment));
+  return world.box().nearest_image(world.unfolded_position(a, moment) - world.unfolded_position(b, moment),
+                                   moment);
+}
+
+/// Where `image` of `b` is as seen from `a`, and how fast it moves, at `moment`. Exchanging the spheres and
+/// negating the image negates the result exactly.
+inline State relative_state(const World& world, Slot a, Slot b, const Image& image, const Time& moment) {
+  State relative = relative_state_at(world.motion(), world.path(a), world.path(b),
+                                     world.box().shift(image, moment), moment);
+  if (world.box().is_sheared() && image[1] != 0) relative.velocity += world.box().image_velocity(image);
+  return relative;
 }
 
 /// The next event of two spheres that meet each other alone.
@@ -396,11 +431,16 @@ HARDBALL_EXPORT PairEvent next_pair_event(const World& world, Slot a, Slot b, co
 HARDBALL_EXPORT PairEvent next_pair_event(const World& world, Slot slot, const PairLevel& pair,
                                           const Image& image);
 
+/// The moment at which two spheres of a sheared box touch; see contact_time.
+HARDBALL_EXPORT Time sheared_contact_time(const World& world, Slot a, Slot b, const Image& image);
+
 /// The moment at which two spheres touch, or come to a step, `image` being that of `b` which `a` meets;
 /// kNever if never.
 inline Time contact_time(const World& world, Slot a, Slot b, const Image& image) {
   if (world.has_steps()) [[unlikely]]
     return next_pair_event(world, a, b, image).time;
+  if (world.box().is_sheared()) [[unlikely]]
+    return sheared_contact_time(world, a, b, image);
   return contact_time(world.motion(), world.path(a), world.path(b), world.box().shift(image),
                       world.base_radius(a) + world.base_radius(b));
 }

@@ -131,6 +131,11 @@ Box box_of(Boundary boundary, const py::handle& size, bool is_flat) {
   return {{boundary, boundary, boundary}, {length(0), length(1), length(2)}};
 }
 
+Box sheared(Box box, double rate, double offset) {
+  box.set_shear({.rate = rate, .offset = offset});
+  return box;
+}
+
 std::string text_of(const Box& box) {
   std::string boundaries;
   Vec3 size;
@@ -140,6 +145,8 @@ std::string text_of(const Box& box) {
   }
   CallText call = CallText("Box").add("(" + boundaries + ")").add(size);
   if (!box.has_plain_faces()) call.add("faces", py::repr(faces_of(box)).cast<std::string>());
+  if (box.shear().rate != 0) call.add("shear_rate", box.shear().rate);
+  if (box.shear().offset != 0) call.add("shear_offset", box.shear().offset);
   return call.text();
 }
 
@@ -262,14 +269,20 @@ void bind_surface(py::module_& module) {
 
 void bind_box(py::module_& module) {
   py::class_<Box>(module, "Box", doc::Box)
-      .def(py::init([](const py::object& boundary, const py::object& size, const py::object& faces) {
-             const std::array<Boundary, kAxes> boundaries = boundaries_of(boundary);
-             return with_faces({boundaries, vector_of(size, "size", kMayBeFlat)}, faces);
-           }),
-           py::arg("boundary"), py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
-           "`boundary` has one of 'wall', 'periodic', 'open' or, for z, 'flat' for each axis. `size` has the "
-           "edge lengths [L], ignored for open and flat axes. `faces` gives walls their own properties: "
-           "{'z_min': {'temperature': 2.0, 'velocity': [1, 0, 0]}, 'z_max': {'restitution': 0.8}}.")
+      .def(
+          py::init([](const py::object& boundary, const py::object& size, const py::object& faces,
+                      double shear_rate, double shear_offset) {
+            const std::array<Boundary, kAxes> boundaries = boundaries_of(boundary);
+            const Box box = with_faces({boundaries, vector_of(size, "size", kMayBeFlat)}, faces);
+            return sheared(box, shear_rate, shear_offset);
+          }),
+          py::arg("boundary"), py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
+          py::arg("shear_rate") = 0.0, py::arg("shear_offset") = 0.0,
+          "`boundary` has one of 'wall', 'periodic', 'open' or, for z, 'flat' for each axis. `size` has the "
+          "edge lengths [L], ignored for open and flat axes. `faces` gives walls their own properties: "
+          "{'z_min': {'temperature': 2.0, 'velocity': [1, 0, 0]}, 'z_max': {'restitution': 0.8}}. "
+          "`shear_rate` [1/T] is how much the flow along x grows along y, `shear_offset` [L] by how much the "
+          "image above is displaced along x at time zero; both axes must be periodic.")
       .def_static(
           "walls",
           [](const py::object& size, const py::object& faces) {
@@ -278,10 +291,13 @@ void bind_box(py::module_& module) {
           py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
           "Between hard walls. `size` is the edge [L], or one length for each axis; `faces` as in Box.")
       .def_static(
-          "periodic", [](const py::object& size) { return box_of(Boundary::periodic, size, false); },
-          py::arg("size"),
+          "periodic",
+          [](const py::object& size, double shear_rate, double shear_offset) {
+            return sheared(box_of(Boundary::periodic, size, false), shear_rate, shear_offset);
+          },
+          py::arg("size"), py::kw_only(), py::arg("shear_rate") = 0.0, py::arg("shear_offset") = 0.0,
           "Spheres that leave at one end enter at the other. `size` is the edge [L], or one length "
-          "for each axis.")
+          "for each axis; `shear_rate` and `shear_offset` as in Box.")
       .def_static("open", &Box::open, "Unbounded space.")
       .def_static(
           "flat_walls",
@@ -291,8 +307,12 @@ void bind_box(py::module_& module) {
           py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
           "Like walls, in two dimensions: spheres are discs.")
       .def_static(
-          "flat_periodic", [](const py::object& size) { return box_of(Boundary::periodic, size, true); },
-          py::arg("size"), "Like periodic, in two dimensions: spheres are discs.")
+          "flat_periodic",
+          [](const py::object& size, double shear_rate, double shear_offset) {
+            return sheared(box_of(Boundary::periodic, size, true), shear_rate, shear_offset);
+          },
+          py::arg("size"), py::kw_only(), py::arg("shear_rate") = 0.0, py::arg("shear_offset") = 0.0,
+          "Like periodic, in two dimensions: spheres are discs.")
       .def_static("flat_open", &Box::flat_open, "The whole plane: spheres are discs.")
       .def_property_readonly(
           "boundary",
@@ -303,6 +323,10 @@ void bind_box(py::module_& module) {
           doc::Boundary)
       .def_property_readonly(
           "size", [](const Box& self) { return read_only(array_of(self.size())); }, doc::Box_size)
+      .def_property_readonly(
+          "shear_rate", [](const Box& self) { return self.shear().rate; }, doc::Shear_rate)
+      .def_property_readonly(
+          "shear_offset", [](const Box& self) { return self.shear().offset; }, doc::Shear_offset)
       .def_property_readonly("faces", &faces_of, "The properties of faces that have their own.")
       .def_property_readonly("dimensions", &Box::dimensions, "3, or 2 if the box is flat.")
       .def_property_readonly("volume", &Box::volume, doc::Box_volume)

@@ -27,11 +27,16 @@ void bind_thermostats(py::module_& module) {
         return CallText("Andersen").add("temperature", self.temperature()).add("rate", self.rate()).text();
       });
   py::class_<Rescale>(module, "Rescale", doc::Rescale)
-      .def(py::init<double, double>(), py::arg("temperature"), py::arg("every"), doc::Rescale_Rescale)
+      .def(py::init<double, double, std::size_t>(), py::arg("temperature"), py::arg("every"),
+           py::arg("slabs") = 0, doc::Rescale_Rescale)
       .def_property_readonly("temperature", &Rescale::temperature, "k T [M L^2 T^-2].")
       .def_property_readonly("every", &Rescale::every, "The interval [T].")
+      .def_property_readonly("slabs", &Rescale::slabs, "The number of slabs across y, zero for none.")
       .def("__repr__", [](const Rescale& self) {
-        return CallText("Rescale").add("temperature", self.temperature()).add("every", self.every()).text();
+        CallText call("Rescale");
+        call.add("temperature", self.temperature()).add("every", self.every());
+        if (self.slabs() > 0) call.add("slabs", static_cast<double>(self.slabs()));
+        return call.text();
       });
   py::class_<Heating>(module, "Heating", doc::Heating)
       .def(py::init<double, double>(), py::arg("strength"), py::arg("every"), doc::Heating_Heating)

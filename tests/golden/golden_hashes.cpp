@@ -238,6 +238,13 @@ World filled_cone() {
   return world;
 }
 
+// A gas whose images above slide along x.
+World gas_in_shear() {
+  Box box = Box::periodic({20, 20, 20});
+  box.set_shear({.rate = 0.375, .offset = 2.5});
+  return random_gas(box, {{0, 0, 0}, {20, 20, 20}}, 600, 0.5, 1.5, 20);
+}
+
 // Wells within shoulders.
 Interactions wells() {
   StepTable steps;
@@ -324,4 +331,5 @@ int main() {
   print_packing("jammed_mixture");
   print("wells", random_gas(Box::periodic({20, 20, 20}), cube, 600, 0.5, 1.5, 19), 20000, wells());
   print_chains();
+  print("gas_in_shear", gas_in_shear(), 20000, Restitution(0.9));
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -11,6 +12,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/event_random.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 #include "support/gas.hpp"
 
 namespace hardball::thermostat_test {
@@ -180,6 +182,82 @@ TEST(Rescale, LeavesSpheresAtRest) {
   thermostat.begin(world, Time(0));
   EXPECT_TRUE(thermostat.act(world, Time(1)).empty());
   EXPECT_EQ(thermostat.next(), 2);
+}
+
+World make_sheared(std::size_t spheres) {
+  Box box = Box::periodic({10, 10, 10});
+  box.set_shear({.rate = 0.7});
+  World world(box);
+  Random random(5);
+  for (std::size_t k = 0; k < spheres; ++k) {
+    const Vec3 position{10 * random.uniform(), 10 * random.uniform(), 10 * random.uniform()};
+    // A flow that is not the linear one, and thermal motion.
+    const double flow = 3 * (position.y > 5 ? 1 : -1) + 0.3 * random.normal();
+    world.add({.position = position, .velocity = {flow, random.normal(), random.normal()}, .radius = 0.01});
+  }
+  return world;
+}
+
+TEST(Rescale, InAShearedBoxIsRelativeToTheFlow) {
+  World world = make_sheared(500);
+  Thermostat thermostat(Rescale(2, 1));
+  thermostat.begin(world, Time(0));
+  const double before = world.kinetic_energy(Time(1));
+  for (const NewVelocity& change : thermostat.act(world, Time(1)))
+    world.change_velocity(change.slot, Time(1), change.after);
+  EXPECT_NEAR(thermal_motion(world, Time(1)).temperature(), 2, 1e-13);
+  EXPECT_NEAR(thermostat.energy(), world.kinetic_energy(Time(1)) - before, 1e-10);
+}
+
+// The mean velocity of each slab stays, and the temperature relative to it is the one wanted.
+TEST(Rescale, InSlabsKeepsTheProfileOfTheFlow) {
+  World world = make_sheared(500);
+  constexpr std::size_t kSlabs = 4;
+  Thermostat thermostat(Rescale(2, 1, kSlabs));
+  thermostat.begin(world, Time(0));
+  const auto means = [&] {
+    std::array<Vec3, kSlabs> sums{};
+    std::array<double, kSlabs> counts{};
+    for (Slot slot = 0; slot < world.size(); ++slot) {
+      const auto slab = static_cast<std::size_t>(world.position(slot, Time(1)).y / 10 * kSlabs);
+      sums[slab] += world.peculiar_velocity(slot, Time(1));
+      ++counts[slab];
+    }
+    for (std::size_t slab = 0; slab < kSlabs; ++slab) sums[slab] = (1 / counts[slab]) * sums[slab];
+    return sums;
+  };
+  const std::array<Vec3, kSlabs> before = means();
+  for (const NewVelocity& change : thermostat.act(world, Time(1)))
+    world.change_velocity(change.slot, Time(1), change.after);
+  const std::array<Vec3, kSlabs> after = means();
+  for (std::size_t slab = 0; slab < kSlabs; ++slab) EXPECT_LT(length(after[slab] - before[slab]), 1e-12);
+  EXPECT_GT(length(before[0] - before[3]), 1);
+  double twice_energy = 0;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    const auto slab = static_cast<std::size_t>(world.position(slot, Time(1)).y / 10 * kSlabs);
+    const Vec3 thermal = world.peculiar_velocity(slot, Time(1)) - after[slab];
+    twice_energy += dot(thermal, thermal);
+  }
+  EXPECT_NEAR(twice_energy / (3.0 * (500 - kSlabs)), 2, 1e-12);
+  EXPECT_THROW(Thermostat(Rescale(1, 1, 2)).begin(World(Box::open()), Time(0)), Error);
+}
+
+TEST(Andersen, GivesVelocitiesRelativeToTheFlow) {
+  const World world = make_sheared(2000);
+  Thermostat thermostat(Andersen(0.25, 1e-3));
+  thermostat.begin(world, Time(0));
+  double correlation = 0;
+  double square = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const Time now(thermostat.next());
+    for (const NewVelocity& change : thermostat.act(world, now)) {
+      const double flow = world.flow_velocity(change.slot, now).x;
+      correlation += flow * change.after.x;
+      square += flow * flow;
+    }
+  }
+  // The slope of the new velocities over the flow: one, with an error of 0.5 / sqrt(sum of squares).
+  EXPECT_NEAR(correlation / square, 1, 4 * 0.5 / std::sqrt(square));
 }
 
 TEST(Heating, KicksAllSpheresAndKeepsTheMomentum) {

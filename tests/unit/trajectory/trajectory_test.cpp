@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/trajectory/gsd_file.hpp"
 #include "hardball/world/sphere_edit.hpp"
 #include "support/scratch_folder.hpp"
@@ -357,6 +358,68 @@ TEST(Trajectory, OfGsdKilledAtAnyWriteGoesOnToTheSameBytes) {
     EXPECT_EQ(Trajectory(folder / "killed.gsd", position).position(), position);
     EXPECT_TRUE(read_text(folder / "killed.gsd") == then);
   }
+}
+
+World world_in_shear() {
+  Box box = Box::periodic({6, 5, 7});
+  box.set_shear({.rate = 0.3, .offset = 1});
+  World world(box);
+  Random random(4);
+  for (int k = 0; k < 200; ++k) {
+    world.add({.position = {6 * random.uniform(), 5 * random.uniform(), 7 * random.uniform()},
+               .velocity = random.direction(),
+               .radius = 0.01});
+  }
+  return world;
+}
+
+// In the cell of a sheared box, tilted as images are displaced, centers and image flags give what has never
+// been folded.
+TEST(Trajectory, TiltsTheCellOfAShearedBox) {
+  const World world = world_in_shear();
+  for (const double time : {0.0, 1.2, 7.0, 1000.0}) {
+    const Snapshot snapshot = snapshot_of(world, Time(time));
+    const SnapshotBox& box = *snapshot.box;
+    EXPECT_NEAR(std::remainder(box.tilt - world.box().images().displacement(Time(time)).high, 6), 0, 1e-9);
+    EXPECT_LE(std::fabs(box.tilt), 3);
+    for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
+      const Vec3& position = snapshot.spheres[i].position;
+      const double along = position.x - (box.corner().x + box.tilt * position.y / 5);
+      ASSERT_GE(along, -1e-12);
+      ASSERT_LE(along, 6 + 1e-12);
+      const Image& image = snapshot.images[i];
+      const Vec3 unfolded =
+          position + Vec3{image[0] * 6.0 + image[1] * box.tilt, image[1] * 5.0, image[2] * 7.0};
+      const Slot slot = world.slot_of(static_cast<SphereId>(snapshot.ids[i]));
+      ASSERT_LT(length(unfolded - world.unwrapped_position(slot, Time(time))), 1e-9);
+    }
+  }
+}
+
+TEST(Trajectory, ReadsTiltedCells) {
+  const ScratchFolder folder;
+  const World world = world_in_shear();
+  const Snapshot written = snapshot_of(world, Time(7));
+  ASSERT_NE(written.box->tilt, 0);
+  for (const char* name : {"tilted.xyz", "tilted.lammpstrj", "tilted.gsd"}) {
+    SCOPED_TRACE(name);
+    Trajectory(folder / name).append(world, Time(7));
+    const Snapshot read = open_snapshots(folder / name)->read(0);
+    ASSERT_TRUE(read.box);
+    EXPECT_NEAR(read.box->tilt, written.box->tilt, 1e-6);
+    EXPECT_LT(length(read.box->low - written.box->low), 1e-6);
+    EXPECT_LT(length(read.box->size - written.box->size), 1e-6);
+    ASSERT_EQ(read.spheres.size(), written.spheres.size());
+    for (std::size_t i = 0; i < read.spheres.size(); ++i) {
+      EXPECT_EQ(read.spheres[i].position, written.spheres[i].position);
+      EXPECT_EQ(read.images[i], written.images[i]);
+    }
+  }
+  write_text(
+      folder / "triclinic.lammpstrj",
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1 0\n0 1 0.5\n"
+      "0 1 0\nITEM: ATOMS id x y z radius\n");
+  EXPECT_THROW(open_snapshots(folder / "triclinic.lammpstrj")->read(0), Error);
 }
 
 TEST(Trajectory, KeepsSpheresWithinTheBoxInSinglePrecision) {

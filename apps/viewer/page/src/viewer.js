@@ -630,7 +630,8 @@ export class Viewer {
     const { reach } = this.spheres.uniforms;
     const isShown = (id, center) => {
       if (reach.value === 0 || id === this.followed) return true;
-      const apart = Math.hypot(...center.map((place, axis) => this.box.nearest(place - middle[axis], axis)));
+      const difference = center.map((place, axis) => place - middle[axis]);
+      const apart = Math.hypot(...this.box.nearestApart(difference, this.playback.time));
       return apart <= reach.value;
     };
     const leastSize = (this.sizes.leastPixels / 2) * this.view.pixelTangent;

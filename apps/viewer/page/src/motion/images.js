@@ -5,21 +5,24 @@ import { readCenter, readVelocity } from './path.js';
 
 /**
  * Calls `visit(x, y, z)` for each periodic image, other than the sphere itself, of a sphere of radius `radius` at
- * `center` in the box that reaches into the box: its center [L].
+ * `center` in the box at `time` that reaches into the box: its center [L].
  */
-export function visitImages(center, radius, { period }, visit) {
-  const isNear = (axis, step) => {
+export function visitImages(center, radius, box, visit, time = 0) {
+  const { period } = box;
+  const isNear = (axis, step, place) => {
     if (step === 0) return true;
     if (period[axis] === 0) return false;
-    return step > 0 ? center[axis] < radius : center[axis] > period[axis] - radius;
+    return step > 0 ? place < radius : place > period[axis] - radius;
   };
-  for (let x = -1; x <= 1; ++x) {
-    if (!isNear(0, x)) continue;
-    for (let y = -1; y <= 1; ++y) {
-      if (!isNear(1, y)) continue;
+  for (let y = -1; y <= 1; ++y) {
+    if (!isNear(1, y, center[1])) continue;
+    const slides = box.isSheared && y !== 0;
+    const along = slides ? box.fold(center[0] + y * box.displacement(time), 0) : center[0];
+    for (let x = -1; x <= 1; ++x) {
+      if (!isNear(0, x, along)) continue;
       for (let z = -1; z <= 1; ++z) {
-        if (!isNear(2, z) || (x === 0 && y === 0 && z === 0)) continue;
-        visit(center[0] + x * period[0], center[1] + y * period[1], center[2] + z * period[2]);
+        if (!isNear(2, z, center[2]) || (x === 0 && y === 0 && z === 0)) continue;
+        visit(along + x * period[0], center[1] + y * period[1], center[2] + z * period[2]);
       }
     }
   }
@@ -51,7 +54,7 @@ export class Images {
     for (let id = 0; id < radii.length; ++id) {
       if (this.isFarFromFaces(paths, kPathNumbers * id, time, radii[id])) continue;
       readCenter(paths, kPathNumbers * id, time, this.box, this.center);
-      visitImages(this.center, radii[id], this.box, (x, y, z) => this.add(id, x, y, z));
+      visitImages(this.center, radii[id], this.box, (x, y, z) => this.add(id, x, y, z), time);
     }
   }
 
@@ -59,10 +62,12 @@ export class Images {
   isFarFromFaces(paths, start, time, radius) {
     const { period, gravity } = this.box;
     const elapsed = time - paths[start + 6];
+    const above = this.box.layersAbove(paths[start + 1] + elapsed * paths[start + 4]);
     for (let axis = 0; axis < 3; ++axis) {
       const length = period[axis];
       if (length === 0) continue;
-      const place = paths[start + axis] + elapsed * (paths[start + 3 + axis] + 0.5 * elapsed * gravity[axis]);
+      let place = paths[start + axis] + elapsed * (paths[start + 3 + axis] + 0.5 * elapsed * gravity[axis]);
+      if (axis === 0 && above !== 0) place -= above * this.box.displacement(time);
       const inBox = place - Math.floor(place / length) * length;
       if (inBox < radius || inBox > length - radius) return false;
     }

@@ -15,16 +15,16 @@ export function placeAfter(elapsed, place, velocity, gravity) {
 export function readCenter(paths, start, time, box, center) {
   const elapsed = time - paths[start + 6];
   for (let axis = 0; axis < 3; ++axis) {
-    const place = placeAfter(elapsed, paths[start + axis], paths[start + 3 + axis], box.gravity[axis]);
-    center[axis] = box.fold(place, axis);
+    center[axis] = placeAfter(elapsed, paths[start + axis], paths[start + 3 + axis], box.gravity[axis]);
   }
-  return center;
+  return box.foldPoint(center, time);
 }
 
-/** Writes the velocity at `time` [L/T] into `velocity`; as readCenter. */
+/** Writes the velocity at `time` [L/T] of the image in the box into `velocity`; as readCenter. */
 export function readVelocity(paths, start, time, box, velocity) {
   const elapsed = time - paths[start + 6];
   for (let axis = 0; axis < 3; ++axis) velocity[axis] = paths[start + 3 + axis] + elapsed * box.gravity[axis];
+  velocity[0] -= box.layersAbove(paths[start + 1] + elapsed * paths[start + 4]) * box.imageSpeed;
   return velocity;
 }
 
@@ -59,9 +59,17 @@ export function rangeOf(path, axis, from, until, box) {
  * points in the box [L]. At most `most` pieces between faces; under gravity each is divided so that its segments
  * deviate from the parabola by no more than `tolerance` [L].
  */
-export function piecesInBox(path, from, until, box, { most = 64, tolerance = Infinity } = {}) {
+export function piecesInBox(original, from, until, box, { most = 64, tolerance = Infinity } = {}) {
   const segments = [];
   const { gravity, period } = box;
+  const path = Array.from(original.slice(0, 7));
+  // As seen from the layer of images of a sheared box that is so many boxes above.
+  const seeFrom = (above) => {
+    path[0] = original[0] - above * box.displacement(original[6]);
+    path[3] = original[3] - above * box.imageSpeed;
+  };
+  const begin = original[1] + (from - original[6]) * original[4];
+  seeFrom(box.layersAbove(begin + 1e-9 * Math.sign(original[4]) * period[1]));
   // The middle of a short step ahead shows in which image of the box the motion continues.
   const images = [0, 1, 2].map((axis) => {
     if (period[axis] === 0) return 0;
@@ -86,6 +94,9 @@ export function piecesInBox(path, from, until, box, { most = 64, tolerance = Inf
     addSegments(segments, path, time, next.time, box, images, tolerance);
     images[next.axis] += next.forward;
     time = next.time;
+    if (!box.isSheared || next.axis !== 1) continue;
+    seeFrom(images[1]);
+    images[0] = Math.floor((path[0] + (time - path[6]) * path[3]) / period[0]);
   }
   return segments;
 }

@@ -104,7 +104,8 @@ export class CellLayer {
       let apart = 0;
       if (center && count > kFew) {
         centerOf(id, other);
-        for (let axis = 0; axis < 3; ++axis) apart += this.box.nearest(other[axis] - center[axis], axis) ** 2;
+        const difference = center.map((place, axis) => other[axis] - place);
+        for (const part of this.box.nearestApart(difference, time)) apart += part ** 2;
       }
       if (apart <= reach * reach) this.near[this.nearCount++] = id;
     }

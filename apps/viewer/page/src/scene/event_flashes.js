@@ -80,9 +80,9 @@ export class EventFlashes {
       const reach = radius + this.radii[second];
       const share = reach > 0 ? radius / reach : 0.5;
       const other = chunk.secondPlace(k);
-      return center.map(
-        (from, axis) => from + share * this.box.nearest(chunk.numbers[other + axis] - from, axis),
-      );
+      const apart = center.map((from, axis) => chunk.numbers[other + axis] - from);
+      const nearest = this.box.nearestApart(apart, chunk.time(k));
+      return center.map((from, axis) => from + share * nearest[axis]);
     }
     const number = -second - 1;
     if (number >= kBoxFaces)

@@ -19,6 +19,7 @@ const kMotion = /* glsl */ `
   uniform vec3 gravity;
   uniform vec3 period;       // of the box, zero along axes that are not periodic
   uniform vec3 inversePeriod; // likewise zero
+  uniform vec2 slid;         // along x, the image above: by how much, and how fast
   uniform int colorBy;
   uniform vec2 colorRange;
   uniform bool colorIsLogarithmic;
@@ -55,8 +56,12 @@ const kMotion = /* glsl */ `
     toMarks = vec4(-now.xyz, now.w);
   }
 
+  float above = 0.0;         // in which layer of images the center is
+
   vec3 centerNow() {
     vec3 center = place.xyz + elapsed * (motion.xyz + (0.5 * elapsed) * gravity);
+    above = floor(center.y * inversePeriod.y);
+    center.x -= above * slid.x;
     return center - period * floor(center * inversePeriod);
   }
 
@@ -64,6 +69,7 @@ const kMotion = /* glsl */ `
     if (kind.x == 0.0) return true; // part of another
     if (reach <= 0.0 || id == followed) return false;
     vec3 apart = center - followedCenter;
+    apart.x -= round(apart.y * inversePeriod.y) * slid.x;
     apart -= period * round(apart * inversePeriod);
     return dot(apart, apart) > reach * reach;
   }
@@ -93,7 +99,7 @@ const kMotion = /* glsl */ `
       return texelFetch(domainColors, ivec2(domainAt(center) % colors, 0), 0).rgb;
     }
     if (colorBy == 2) return texelFetch(speciesColors, ivec2(int(kind.y), 0), 0).rgb;
-    float value = colorBy == 0 ? length(motion.xyz + elapsed * gravity)
+    float value = colorBy == 0 ? length(motion.xyz + elapsed * gravity - vec3(above * slid.y, 0.0, 0.0))
                 : colorBy == 1 ? kind.x
                 : colorBy == 3 ? motion.w
                 : colorBy == 5 ? length(spin)

@@ -35,6 +35,7 @@ export class Spheres {
     this.referenceEnd = NaN;
     this.dirty = new Uint8Array(Math.ceil(this.count / kBlock));
     this.box = box;
+    this.center = [0, 0, 0];
     this.longest = Math.max(...box.size);
     this.uniforms = {
       elapsed: { value: 0 },
@@ -50,6 +51,7 @@ export class Spheres {
       domainColors: { value: colorTexture(kDomainColors, false) },
       domainBlocks: { value: null },
       domainCount: { value: 0 },
+      slid: { value: new Vector2() },
       boxPeriod: { value: new Vector3(...box.period) },
       kinematicColor: { value: new Vector3(...kKinematicColor) },
       hasMarks: { value: canTurn },
@@ -107,6 +109,7 @@ export class Spheres {
     playback.takeTouched();
     this.uniforms.elapsed.value = time - this.reference;
     this.uniforms.scale.value = playback.scale;
+    this.uniforms.slid.value.set(this.box.fold(this.box.displacement(time), 0), this.box.imageSpeed);
   }
 
   // Makes the time of `playback` the reference. It holds until spheres have crossed the space they occupy a few
@@ -137,9 +140,11 @@ export class Spheres {
     for (let axis = 0; axis < 3; ++axis) {
       const gravity = this.box.gravity[axis];
       const velocity = paths[from + 3 + axis];
-      this.paths[to + axis] = this.box.fold(placeAfter(elapsed, paths[from + axis], velocity, gravity), axis);
+      this.center[axis] = placeAfter(elapsed, paths[from + axis], velocity, gravity);
       this.paths[to + 4 + axis] = velocity + elapsed * gravity;
     }
+    this.paths[to + 4] -= this.box.layersAbove(this.center[1]) * this.box.imageSpeed;
+    this.paths.set(this.box.foldPoint(this.center, this.reference), to);
     this.paths[to + 3] = -elapsed;
     this.paths[to + 7] = collisions[id];
     if (this.turns) this.storeBody(id, elapsed);
