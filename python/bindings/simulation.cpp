@@ -159,10 +159,10 @@ void bind_simulation(py::module_& module) {
   const py::tuple zero = py::make_tuple(0.0, 0.0, 0.0);
   SimulationClass simulation(module, "Simulation", doc::Simulation, py::custom_type_setup(&collect_garbage));
   simulation
-      .def(py::init(&make_simulation), py::arg("box"), py::kw_only(), py::arg("positions"), py::arg("velocities") = zero,
-           py::arg("radius") = 1.0, py::arg("mass") = 1.0, py::arg("spin") = zero, py::arg("species") = 0,
-           py::arg("moment") = py::none(), py::arg("gravity") = zero,
-           py::arg("surfaces") = std::vector<Surface>(),
+      .def(py::init(&make_simulation), py::arg("box"), py::kw_only(), py::arg("positions"),
+           py::arg("velocities") = zero, py::arg("radius") = 1.0, py::arg("mass") = 1.0,
+           py::arg("spin") = zero, py::arg("species") = 0, py::arg("moment") = py::none(),
+           py::arg("gravity") = zero, py::arg("surfaces") = std::vector<Surface>(),
            py::arg("passing") = std::vector<std::pair<SpeciesId, SpeciesId>>(), py::arg("steps") = py::none(),
            py::arg("bonds") = std::vector<std::array<std::uint32_t, 3>>(), py::arg("response") = py::none(),
            py::arg("thermostat") = py::none(), py::arg("seed") = 1, py::arg("engine") = "auto",
