@@ -43,16 +43,16 @@ std::optional<double> ShearedCells::allowed_edge(const World& world, double want
   const double radius = largest_radius(world);
   const auto is_good = [&](double edge) { return are_good(Subdivision(world.box(), edge), world, radius); };
   if (is_good(wanted)) return wanted;
-  constexpr double kSurplus = 1e-4;
-  const double diameter = 2 * radius * (1 + kSurplus);
-  for (int parts = 1; parts < kMostTouched - 1 && diameter > 0; ++parts) {
-    if (is_good(diameter / parts)) return diameter / parts;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (world.box().is_periodic(axis)) shortest = std::min(shortest, world.box().size()[axis]);
   }
-  // Few spheres in a large box.
-  const Vec3& size = world.box().size();
-  const double width = std::min(size.x, size.y);
-  for (const int cells : {15, 11, 9, 7}) {
-    if (is_good(width / cells)) return width / cells;
+  constexpr int kFewest = 7;
+  constexpr int kMost = 64;
+  constexpr double kRoundedDown = 1 - 1e-9;
+  for (int cells = kFewest; cells <= kMost; ++cells) {
+    const double edge = shortest / cells * kRoundedDown;
+    if (is_good(edge)) return edge;
   }
   return std::nullopt;
 }

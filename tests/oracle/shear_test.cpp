@@ -10,10 +10,10 @@
 #include <limits>
 #include <optional>
 
-#include "hardball/broadphase/sheared_cells.hpp"
 #include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
+#include "support/pieces.hpp"
 #include "support/sheared.hpp"
 
 namespace hardball::shear_test {
@@ -90,29 +90,6 @@ TEST(ShearedContactTime, AgreesWithAHundredDigits) {
 constexpr std::uint64_t kWorlds = 3000;
 constexpr std::uint64_t kParts = 6;
 
-// Runs on in pieces, of a copy, or of what has been saved and loaded, with looks ahead in between.
-History run_in_pieces(Simulation simulation, const RunLimits& limits, Random& random) {
-  RunLimits left = limits;
-  History history;
-  bool is_whole = false;
-  while (!is_whole) {
-    RunLimits piece = left;
-    if (random.uniform() < 0.5) piece.contacts = std::min<std::uint64_t>(left.contacts, random.bits() % 9);
-    if (random.uniform() < 0.3) piece.steps = 1 + random.bits() % 20;
-    is_whole = piece.contacts == left.contacts && piece.steps == left.steps;
-    const std::uint64_t before = simulation.counters().contacts();
-    history = support::run_on(simulation, piece);
-    if (!history.failure.empty()) break;
-    left.contacts -= simulation.counters().contacts() - before;
-    if (random.uniform() < 0.2) simulation = Simulation(simulation);
-    if (random.uniform() < 0.2) simulation = Simulation::load(simulation.save());
-    if (random.uniform() < 0.2) static_cast<void>(simulation.next_contact(left.until.high));
-    if (random.uniform() < 0.2) static_cast<void>(simulation.contacts_within(left.until.high / 20, 8));
-  }
-  if (history.failure.empty()) simulation.validate();
-  return history;
-}
-
 class ShearAgrees : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(ShearAgrees, OnRandomWorlds) {
@@ -135,8 +112,8 @@ TEST_P(ShearAgrees, OnRandomWorlds) {
         if (!expected) {
           simulation.on_contact([&](const Contact& contact) { across += contact.image[1] != 0 ? 1U : 0U; });
         }
-        const History history =
-            is_split ? run_in_pieces(simulation, limits, random) : support::run_on(simulation, limits);
+        const History history = is_split ? support::run_in_pieces(simulation, limits, random)
+                                         : support::run_on(simulation, limits);
         if (!is_split && history.failure.empty()) {
           simulation.validate();
           const bool may_overlap =

@@ -14,6 +14,7 @@
 #include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
+#include "support/pieces.hpp"
 #include "support/stepped.hpp"
 
 namespace hardball::steps_test {
@@ -111,29 +112,6 @@ Outcome outcome_of(const Simulation& simulation, History history) {
           simulation.world().pair_levels().size()};
 }
 
-// Runs on in pieces, of a copy, or of what has been saved and loaded, with looks ahead in between.
-Outcome run_in_pieces(Simulation simulation, const RunLimits& limits, Random& random) {
-  RunLimits left = limits;
-  History history;
-  bool is_whole = false;
-  while (!is_whole) {
-    RunLimits piece = left;
-    if (random.uniform() < 0.5) piece.contacts = std::min<std::uint64_t>(left.contacts, random.bits() % 9);
-    if (random.uniform() < 0.3) piece.steps = 1 + random.bits() % 20;
-    is_whole = piece.contacts == left.contacts && piece.steps == left.steps;
-    const std::uint64_t before = simulation.counters().contacts();
-    history = support::run_on(simulation, piece);
-    if (!history.failure.empty()) break;
-    left.contacts -= simulation.counters().contacts() - before;
-    if (random.uniform() < 0.2) simulation = Simulation(simulation);
-    if (random.uniform() < 0.2) simulation = Simulation::load(simulation.save());
-    if (random.uniform() < 0.2) static_cast<void>(simulation.next_contact(left.until.high));
-    if (random.uniform() < 0.2) static_cast<void>(simulation.contacts_within(left.until.high / 20, 8));
-  }
-  if (history.failure.empty()) simulation.validate();
-  return outcome_of(simulation, std::move(history));
-}
-
 // The levels of all pairs are what the distances say, but for rounding.
 void expect_levels(const Simulation& simulation) {
   const World& world = simulation.world();
@@ -179,7 +157,8 @@ TEST_P(StepsAgree, OnRandomWorlds) {
         const bool is_split = expected && variant.name == variants.back().name;
         Outcome outcome;
         if (is_split) {
-          outcome = run_in_pieces(simulation, limits, random);
+          const History history = support::run_in_pieces(simulation, limits, random);
+          outcome = outcome_of(simulation, history);
         } else {
           if (!expected) {
             simulation.on_contact([&](const Contact& contact) {

@@ -258,7 +258,7 @@ TEST(Shear, OfADiluteGranularGasIsAsGradHasIt) {
   const double root = rate / (a * 16 / 5 * std::sqrt(3.14159265358979) * density * contact_value);
   const double expected = root * root;
   const double temperature = support::quantity(results[1], "temperature").value;
-  EXPECT_NEAR(temperature / expected, 1, 0.08);
+  EXPECT_NEAR(temperature / expected, 1, 0.06);
   const double pressure = density * temperature;
   const double yy = beta / (beta + zeta);
   const double xy = -a * beta / ((beta + zeta) * (beta + zeta));
