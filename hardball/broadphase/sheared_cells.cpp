@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "hardball/errors/error.hpp"
 
@@ -299,7 +300,8 @@ void ShearedCells::cross(const World& world, Slot slot, const Time& now, const C
   const auto [lowest, highest] =
       next(1, velocity.y, old.lowest_row(), old.highest_row(), at_home, crossed == 1);
   const CellRange& any = old.parts[0].range;
-  const auto [front, back] = next(2, velocity.z, any.low[2], any.high[2], at_home, crossed == 2);
+  const std::pair<std::int32_t, std::int32_t> depths =
+      next(2, velocity.z, any.low[2], any.high[2], at_home, crossed == 2);
   const ShearedRegion region = divided(lowest, highest, [&](std::int32_t layer) {
     CellRange range = layer == 0 ? at_home : cells_.range_at(in_layer(world, position, layer, now), radius);
     if (const ShearedRegion::Part* const part = old.part_in(layer)) {
@@ -309,8 +311,8 @@ void ShearedCells::cross(const World& world, Slot slot, const Time& now, const C
       range.low[0] = left;
       range.high[0] = right;
     }
-    range.low[2] = front;
-    range.high[2] = back;
+    range.low[2] = depths.first;
+    range.high[2] = depths.second;
     return range;
   });
   candidates.begin(slot, true);
