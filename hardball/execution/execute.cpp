@@ -78,9 +78,9 @@ void undo_approach_of_spheres(const World& world, Contact& contact) {
   const Vec3& r = contact.separation;
   // As contacts are predicted.
   const auto approach_with = [&](const Velocities& velocities) {
-    if (contact.image_velocity != Vec3{}) {
-      const Vec3 own = velocities.second - contact.image_velocity;
-      return dot(r, (own - velocities.first) + contact.image_velocity);
+    if (contact.image_speed != 0) {
+      const Vec3 image{contact.image_speed, 0, 0};
+      return dot(r, ((velocities.second - image) - velocities.first) + image);
     }
     if (!world.motion().has_growth()) return approach(r, velocities);
     return approach(
@@ -187,8 +187,8 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.second_mass = world.mass(participants.second);
     contact.second_since = second_path.time;
     if (box.is_sheared()) [[unlikely]] {
-      contact.image_velocity = box.image_velocity(contact.image);
-      second_velocity += contact.image_velocity;
+      contact.image_speed = box.image_velocity(contact.image).x;
+      second_velocity.x += contact.image_speed;
     }
     before = {velocity, second_velocity};
   } else {

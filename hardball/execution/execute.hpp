@@ -140,8 +140,10 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
                   is_collision ? participants.second : participants.first);
   edit.store_path(participants.first, {contact.position, contact.after.first, event.time}, done.folded[0]);
   if (is_collision) {
-    edit.store_path(participants.second,
-                    {contact.second_position, contact.after.second - contact.image_velocity, event.time},
+    Vec3 second_velocity = contact.after.second;
+    if (world.box().is_sheared()) [[unlikely]]
+      second_velocity.x -= contact.image_speed;
+    edit.store_path(participants.second, {contact.second_position, second_velocity, event.time},
                     done.folded[1]);
   }
   if (done.may_turn) [[unlikely]]

@@ -65,9 +65,9 @@ struct Contact {
   double second_radius = 0;
   double first_mass = 0;   ///< [M]; infinite for a kinematic sphere.
   double second_mass = 0;  ///< [M]; infinite for a wall, too.
-  /// How much faster the image of the second sphere moves than the sphere itself [L/T]; zero but for images
-  /// above or below in a sheared box.
-  Vec3 image_velocity;
+  /// How much faster the image of the second sphere moves along x than the sphere itself [L/T]; zero but for
+  /// images above or below in a sheared box.
+  double image_speed = 0;
   /// Of the centers [L/T], of the second sphere that of its image; but of spheres that grow, while the
   /// response is called, of their surfaces where they meet.
   Velocities before;

@@ -205,7 +205,9 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
                            contact.position,
                            contact.after.first,
                            contact.second_position,
-                           contact.is_collision() ? contact.after.second - contact.image_velocity : Vec3{}};
+                           contact.is_collision() ? contact.after.second : Vec3{}};
+  // Of the sphere itself, not of the image that was met.
+  if (contact.image_speed != 0) recorded.second_velocity.x -= contact.image_speed;
   if (state_.layout.has_bodies) {
     const Slot first = world.slot_of(contact.first);
     recorded.outcome = contact.outcome;
