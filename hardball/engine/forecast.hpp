@@ -406,8 +406,8 @@ class Forecast {
   bool has_images_of_obstacles_ = false;
   bool has_passing_pairs_ = false;
   bool has_steps_ = false;            // of potentials
-  bool has_special_pairs_ = false;    // that bounds do not know: inside of steps, or across a sheared face
   bool has_excluded_ = false;         // some candidates must be left out: one of the two above
+  bool has_special_pairs_ = false;    // that bounds do not know: inside of steps, or across a sheared face
   Candidates candidates_;             // of the current sphere
   Candidates candidates_of_partner_;  // of the sphere that it meets
   PairContacts pairs_;                // of the current bucket

@@ -193,6 +193,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
     before = {velocity, second_velocity};
   } else {
     contact.image = {};
+    contact.image_speed = 0;
     contact.second_position = {};
     contact.second_radius = 0;
     contact.reach = radius;

@@ -43,7 +43,7 @@ VelocityAutocorrelation::VelocityAutocorrelation(const Scene& scene, double inte
 void VelocityAutocorrelation::sample(const Scene& scene) {
   const Vec3 drifted = duration(begin_, scene.now()) * motion_.drift;
   average_.sample(scene, add_products, [&](Slot slot, Vec3* vectors) {
-    vectors[0] = scene.world().peculiar_velocity(slot, scene.now()) - motion_.drift;
+    vectors[0] = scene.world().velocity(slot, scene.now()) - motion_.drift;
     vectors[1] = scene.unfolded_center(slot) - drifted;
   });
 }

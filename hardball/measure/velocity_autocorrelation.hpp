@@ -18,6 +18,7 @@ namespace hardball {
 class VelocityAutocorrelation {
  public:
   static constexpr std::string_view kName = "velocity_autocorrelation";
+  static constexpr bool kNeedsImagesAtRest = true;
   /// What a sample costs for each sphere followed [ns].
   static constexpr double kCostPerSphereFollowed = 50;
 

@@ -22,7 +22,7 @@ using namespace image_search;
 void refuse_shear(const World& world, const char* where) {
   if (!world.box().is_sheared()) return;
   throw Error("the box is sheared, and its images slide", where,
-              "ask for the next contact of the simulation");
+              "use a box at rest; next_contact of a simulation knows images that slide");
 }
 
 void refuse_growth(const World& world, const char* where) {
