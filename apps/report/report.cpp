@@ -180,6 +180,9 @@ std::string verdict(const Report& report, const Agreement& agreement) {
   } else if (drifts) {
     text += fmt::format("; the energy changed by {} of its value", number_text(energy_drift(report), 2));
     if (!by.empty()) text += " beyond " + gift;
+  } else if (report.shear) {
+    // Its work is what the energy says, so this is no test.
+    text += fmt::format("; the shear gave the energy {}", number_text(report.shear->work, 4));
   } else {
     text += by.empty() ? "; the energy is conserved" : "; the energy changed by " + gift + " alone";
   }

@@ -110,7 +110,10 @@ TEST_P(ShearAgrees, OnRandomWorlds) {
         if (variant.options.cell_edge && simulation.engine() == EngineKind::cells) ++with_cells;
         const bool is_split = expected && variant.name == variants.back().name;
         if (!expected) {
-          simulation.on_contact([&](const Contact& contact) { across += contact.image[1] != 0 ? 1U : 0U; });
+          simulation.on_contact([&](const Contact& contact) {
+            across += contact.image[1] != 0 ? 1U : 0U;
+            EXPECT_EQ(contact.image_speed, contact.image[1] * made.world.box().images().speed());
+          });
         }
         const History history = is_split ? support::run_in_pieces(simulation, limits, random)
                                          : support::run_on(simulation, limits);
