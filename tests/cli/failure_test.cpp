@@ -13,7 +13,6 @@
 #include "cli/program.hpp"
 #include "hardball/recording/recording_reader.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
-#include "support/effort.hpp"
 
 namespace hardball::failure_test {
 namespace {
@@ -151,7 +150,7 @@ TEST_F(Failure, OfAProcessKilledOutrightLosesLittleOfTheEventLog) {
   using namespace std::chrono_literals;
   const Program program(
       folder_, {"run", "gas.toml", "--unit-costs", "standard", "--until", "1e6", "--engine", "all-pairs",
-                "--set", support::kIsSlowBuild ? "spheres.0.count=3000" : "spheres.0.count=10000", "--set",
+                "--set", "spheres.0.count=10000", "--set",
                 "spheres.0.radius=0.05", "--quiet"});
   const std::filesystem::path log = folder_ / "out/events.npy";
   std::uint64_t counted = 0;
