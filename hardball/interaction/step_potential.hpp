@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -102,6 +103,10 @@ class HARDBALL_EXPORT StepTable {
   Number add_bond(const StepPotential& potential);
 
   bool empty() const { return potentials_.empty(); }
+  /// Whether some potential is one of bonds. Cost: O(size).
+  bool has_bonds() const {
+    return std::ranges::any_of(potentials_, [](const StepPotential& each) { return each.is_tether(); });
+  }
   std::size_t size() const { return potentials_.size(); }
   const StepPotential& operator[](Number number) const { return potentials_[number]; }
   /// The potential of two spheres of these species that have no bond.

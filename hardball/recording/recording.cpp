@@ -206,6 +206,21 @@ class HeaderReader {
     });
   }
 
+  // Of that many spheres.
+  std::vector<std::array<SphereId, 2>> bonds(const Json& value, std::size_t spheres) const {
+    if (!value.is_array()) fail("the bonds are not a list");
+    std::vector<std::array<SphereId, 2>> bonds;
+    for (const Json& bond : value) {
+      if (!bond.is_array() || bond.size() != 2) fail("a bond is not a pair");
+      const auto sphere = [&](const Json& id) {
+        return static_cast<SphereId>(count(id, "sphere of a bond", static_cast<double>(spheres) - 1));
+      };
+      bonds.push_back({sphere(bond[0]), sphere(bond[1])});
+      if (bonds.back()[0] == bonds.back()[1]) fail("a bond ties a sphere to itself");
+    }
+    return bonds;
+  }
+
   std::vector<RecordedSurface> surfaces(const Json& value) const {
     if (!value.is_array()) fail("the surfaces are not a list");
     std::vector<RecordedSurface> surfaces;
@@ -282,6 +297,7 @@ std::string to_json(const RecordingHeader& header) {
     json["species"]["names"] = header.species_names;
     if (!header.species.empty()) json["species"]["runs"] = json_runs(header.species);
   }
+  for (const auto& [first, second] : header.bonds) json["bonds"].push_back({first, second});
   for (const RecordedForce& force : header.forces) json["forces"].push_back(json_force(force));
   // A file name may contain any bytes.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -318,6 +334,7 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
   in.read(object, "gravity", [&](const Json& value) { header.gravity = in.vector(value); });
   in.read(object, "surfaces", [&](const Json& value) { header.surfaces = in.surfaces(value); });
   in.read(object, "species", [&](const Json& value) { in.species(value, header); });
+  in.read(object, "bonds", [&](const Json& value) { header.bonds = in.bonds(value, header.spheres); });
   return header;
 }
 

@@ -113,8 +113,9 @@ struct RecordingHeader {
   double restitution = 1;            ///< [1]; NaN if it is not one number.
   Vec3 gravity = {};                 ///< Acceleration of all spheres [L/T^2].
   std::vector<RecordedSurface> surfaces = {};
-  std::vector<std::string> species_names = {};  ///< By species; those without a name are missing.
-  std::vector<SpeciesId> species = {};          ///< By id; empty if all are zero.
+  std::vector<std::string> species_names = {};      ///< By species; those without a name are missing.
+  std::vector<SpeciesId> species = {};              ///< By id; empty if all are zero.
+  std::vector<std::array<SphereId, 2>> bonds = {};  ///< Pairs of spheres that are tied to each other.
   /// What holds spheres that are packed, for viewers; parse_recording_header leaves it out.
   std::vector<RecordedForce> forces = {};
 

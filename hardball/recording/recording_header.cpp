@@ -67,6 +67,7 @@ RecordingHeader recording_header(const Simulation& simulation) {
   for (const Surface& surface : simulation.world().surfaces()) {
     header.surfaces.push_back(recorded(surface, header.restitution));
   }
+  for (const Bond& bond : simulation.world().bonds()) header.bonds.push_back({bond.first, bond.second});
   return header;
 }
 

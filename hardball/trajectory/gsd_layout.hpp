@@ -130,9 +130,15 @@ enum class Chunk : std::uint16_t {
   exact_mass,
   id,
   spin,
-  moment
+  moment,
+  bond_count,
+  bond_types,
+  bond_type_id,
+  bonds
 };
-inline constexpr std::array<std::string_view, 23> kChunkNames{
+/// So many names the oldest files have that a run may go on with.
+inline constexpr std::size_t kFewestNames = 23;
+inline constexpr std::array<std::string_view, 27> kChunkNames{
     "configuration/step",
     "configuration/dimensions",
     "configuration/box",
@@ -156,6 +162,10 @@ inline constexpr std::array<std::string_view, 23> kChunkNames{
     "log/particles/id",
     "log/particles/angular_velocity64",
     "log/particles/moment64",
+    "bonds/N",
+    "bonds/types",
+    "bonds/typeid",
+    "bonds/group",
 };
 
 }  // namespace hardball::gsd

@@ -94,6 +94,24 @@ void GsdReader::read_box(std::size_t frame, Snapshot& snapshot) {
   snapshot.box = box;
 }
 
+void GsdReader::read_bonds(std::size_t frame, Snapshot& snapshot) {
+  const std::string number = chunk(frame, Chunk::bond_count, Type::uint32, 1, 1);
+  const std::uint64_t count = number.empty() ? 0 : read_little_endian<std::uint32_t>(number.data());
+  if (count == 0) return;
+  const std::string bonds = chunk(frame, Chunk::bonds, Type::uint32, count, 2);
+  const auto id_at = [&](std::size_t index) {
+    const auto sphere = read_little_endian<std::uint32_t>(&bonds[4 * index]);
+    if (sphere >= snapshot.spheres.size()) {
+      throw Error("frame " + to_text(frame) + " has a bond of sphere " + to_text(sphere) + ", of " +
+                      to_text(snapshot.spheres.size()),
+                  file_.name(), kGiveGsd);
+    }
+    return snapshot.id(sphere);
+  };
+  for (std::size_t i = 0; i < bonds.size() / 8; ++i)
+    snapshot.bonds.push_back({id_at(2 * i), id_at(2 * i + 1)});
+}
+
 Snapshot GsdReader::read(std::size_t frame) {
   HARDBALL_CHECK(frame < frames_);
   Snapshot snapshot;
@@ -168,6 +186,7 @@ Snapshot GsdReader::read(std::size_t frame) {
   each(ids, [&](Sphere&, std::size_t i) {
     snapshot.ids.push_back(static_cast<std::int64_t>(read_little_endian<std::uint64_t>(&ids[8 * i])));
   });
+  read_bonds(frame, snapshot);
   if (!snapshot.ids.empty()) sort_by_id(snapshot, file_.name());
   check_numbers(snapshot, file_.name());
   return snapshot;

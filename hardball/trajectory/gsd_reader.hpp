@@ -26,6 +26,7 @@ class GsdReader final : public SnapshotReader {
                     std::uint64_t columns);
   std::uint64_t count_of(std::size_t frame);
   void read_box(std::size_t frame, Snapshot& snapshot);
+  void read_bonds(std::size_t frame, Snapshot& snapshot);
 
   gsd::File file_;
   std::size_t frames_;

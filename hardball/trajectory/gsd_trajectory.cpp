@@ -8,6 +8,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
@@ -42,10 +43,10 @@ std::string bytes_of_all(std::size_t count, const Value& append_value) {
   return bytes;
 }
 
-// The list of the names, padded with zeros, of which one at least ends it.
-std::string name_list() {
+// The list of the first names, padded with zeros, of which one at least ends it.
+std::string name_list(std::size_t count) {
   std::string names;
-  for (const std::string_view name : gsd::kChunkNames) names += std::string(name) + '\0';
+  for (std::size_t i = 0; i < count; ++i) names += std::string(gsd::kChunkNames[i]) + '\0';
   names.resize((names.size() / gsd::kNameBytes + 1) * gsd::kNameBytes);
   return names;
 }
@@ -110,7 +111,7 @@ GsdTrajectory::GsdTrajectory(std::filesystem::path path, const std::optional<Tra
 
 OutputFile GsdTrajectory::create(const std::filesystem::path& path) {
   OutputFile created(path);
-  const std::string names = name_list();
+  const std::string names = name_list(name_count_);
   header_.index_location = gsd::kHeaderBytes;
   header_.index_entries = kFirstEntries;
   header_.names_location = header_.index_location + kFirstEntries * gsd::Entry::kBytes;
@@ -127,7 +128,10 @@ OutputFile GsdTrajectory::open(const std::filesystem::path& path, const Trajecto
   const auto refuse_unless = [&](bool condition, const std::string& problem) {
     if (!condition) throw Error(problem, file.name(), kRestore);
   };
-  refuse_unless(std::ranges::equal(file.names(), gsd::kChunkNames), "has other chunks than hardball writes");
+  name_count_ = file.names().size();
+  refuse_unless(name_count_ >= gsd::kFewestNames && name_count_ <= gsd::kChunkNames.size() &&
+                    std::ranges::equal(file.names(), std::span(gsd::kChunkNames).first(name_count_)),
+                "has other chunks than hardball writes");
   entries_ = first_entries(file, position.frames);
   // The index may since have moved to where there is more room.
   header_ = position.head.size() == gsd::kHeaderBytes ? gsd::header_at(position.head.data()) : file.header();
@@ -156,7 +160,7 @@ void GsdTrajectory::cut_back() {
   if (!is_too_long_) return;
   is_too_long_ = false;
   file_.overwrite(header_.index_location, index_of({&entries_}, header_.index_entries));
-  file_.overwrite(header_.names_location, name_list());
+  file_.overwrite(header_.names_location, name_list(name_count_));
   file_.overwrite(0, gsd::bytes_of(header_));
   file_.flush_complete();
 }
@@ -281,8 +285,27 @@ void GsdTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
                         }));
   write_unless_as_first(Chunk::spin, Type::float64, kAxes, exact(&Sphere::spin));
   write_unless_as_first(Chunk::moment, Type::float64, 1, exact(&Sphere::inertia_factor));
+  write_bonds(snapshot);
   if (frame == 0) first_count_ = count;
   write_entries();
+}
+
+// Only where there are any, now or in the first frame, and the file has names for them.
+void GsdTrajectory::write_bonds(const Snapshot& snapshot) {
+  if (name_count_ < gsd::kChunkNames.size()) return;
+  if (snapshot.bonds.empty() && first_[static_cast<std::size_t>(Chunk::bonds)].empty()) return;
+  const std::size_t count = snapshot.bonds.size();
+  std::string bytes;
+  append_little_endian(bytes, static_cast<std::uint32_t>(count));
+  write_unless_as_first(Chunk::bond_count, Type::uint32, 1, bytes);
+  if (count == 0) return;
+  write_unless_as_first(Chunk::bond_types, Type::int8, 2, std::string("A\0", 2));
+  write_unless_as_first(Chunk::bond_type_id, Type::uint32, 1, std::string(4 * count, '\0'));
+  write_unless_as_first(Chunk::bonds, Type::uint32, 2,
+                        bytes_of_all(count, [&](std::string& pairs, std::size_t i) {
+                          for (const std::int64_t id : snapshot.bonds[i])
+                            append_little_endian(pairs, static_cast<std::uint32_t>(snapshot.sphere_of(id)));
+                        }));
 }
 
 void GsdTrajectory::write_chunk(Chunk chunk, Type type, std::size_t columns, const std::string& bytes) {

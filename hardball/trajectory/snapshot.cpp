@@ -63,6 +63,17 @@ std::string Snapshot::location(const std::string& name, std::size_t sphere) cons
   return lines.empty() ? name + ": sphere " + to_text(sphere) : name + ":" + to_text(lines[sphere]);
 }
 
+std::size_t Snapshot::sphere_of(std::int64_t id) const {
+  if (ids.empty() && id >= 0 && static_cast<std::size_t>(id) < spheres.size())
+    return static_cast<std::size_t>(id);
+  const auto found = std::ranges::lower_bound(ids, id);
+  if (found == ids.end() || *found != id) {
+    throw Error("a bond ties sphere " + to_text(id) + ", which the snapshot does not have", "bonds",
+                "tie spheres of the snapshot");
+  }
+  return static_cast<std::size_t>(found - ids.begin());
+}
+
 Snapshot snapshot_of(const World& world, const Time& moment) {
   Snapshot snapshot;
   snapshot.time = moment.value();
@@ -81,6 +92,7 @@ Snapshot snapshot_of(const World& world, const Time& moment) {
     snapshot.ids.push_back(world.id(slot));
     snapshot.images.push_back(world.image(slot, moment));
   });
+  for (const Bond& bond : world.bonds()) snapshot.bonds.push_back({bond.first, bond.second});
   const Box& box = world.box();
   SnapshotBox& shown = snapshot.box.emplace();
   shown.is_unbounded = box.is_any(Boundary::open);

@@ -37,7 +37,8 @@ struct HARDBALL_EXPORT Snapshot {
   std::vector<std::int64_t> ids;   ///< Of the spheres; none if the file has none.
   std::vector<Image> images;       ///< By how many boxes each was folded back; none if the file has none.
   std::vector<std::size_t> lines;  ///< Where each sphere is in a text file; none otherwise.
-  std::optional<double> time;      ///< [T]
+  std::vector<std::array<std::int64_t, 2>> bonds;  ///< The ids of pairs that are tied to each other.
+  std::optional<double> time;                      ///< [T]
   std::optional<SnapshotBox> box;
   bool has_velocities = true;
   bool has_spins = false;
@@ -45,6 +46,8 @@ struct HARDBALL_EXPORT Snapshot {
   std::int64_t id(std::size_t sphere) const {
     return ids.empty() ? static_cast<std::int64_t>(sphere) : ids[sphere];
   }
+  /// Which of the spheres has this id. Error: none. Cost: O(log n).
+  std::size_t sphere_of(std::int64_t id) const;
   Image image(std::size_t sphere) const { return images.empty() ? Image{} : images[sphere]; }
   /// The place of a sphere in the file of this name, for messages.
   std::string location(const std::string& name, std::size_t sphere) const;

@@ -96,6 +96,7 @@ void World::add_bond(SphereId a, SphereId b, StepTable::Number potential) {
 }
 
 std::vector<Bond> World::bonds() const {
+  if (!interactions_.steps().has_bonds()) return {};
   std::vector<Bond> bonds;
   for (const auto& [slot, pair] : levels_.in_order()) {
     if (!interactions_.steps()[pair.potential].is_tether()) continue;

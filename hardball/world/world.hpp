@@ -274,7 +274,7 @@ class HARDBALL_EXPORT World {
   /// Ties two spheres together by a potential of the step table. Error: no sphere has an id; they are one, or
   /// tied already; the potential is not a tether. Precondition: assign_levels follows.
   void add_bond(SphereId a, SphereId b, StepTable::Number potential);
-  /// The bonds by the ids of their spheres, in order. Cost: O(pairs log pairs).
+  /// The bonds by the ids of their spheres, in order. Cost: O(pairs log pairs), O(1) if there are none.
   std::vector<Bond> bonds() const;
   /// Finds the levels of all pairs from their distances at `moment`; at the distance of a step those that
   /// approach each other are inside. To be called once, before the first event: from then on levels are a

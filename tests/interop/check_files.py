@@ -79,6 +79,23 @@ radius = 0.5
 placement = "random"
 mean_speed = 2.0
 """,
+    # Two chains of three discs, which a face of the box cuts.
+    "chains": """
+[box]
+dimensions = 2
+size = [10.0, 8.0]
+boundary = ["periodic", "wall"]
+[[spheres]]
+count = 6
+radius = 0.5
+mean_speed = 1.0
+positions = [[9.2, 3.0], [0.3, 3.0], [1.4, 3.0], [9.2, 5.0], [0.3, 5.0], [1.4, 5.0]]
+[[bonds]]
+chain = [0, 5]
+beads = 3
+core = 0.9
+longest = 1.3
+""",
     # The number of spheres falls, and ids have gaps.
     "drops": """
 [box]
@@ -196,7 +213,11 @@ def check_ase_lammps(path, frames):
     return "positions, velocities (in the order of ids), cell, pbc"
 
 
-def check_gsd(path, frames):
+# By scenario; none in the others.
+BONDS = {"chains": [[0, 1], [1, 2], [3, 4], [4, 5]]}
+
+
+def check_gsd(path, frames, bonds):
     with gsd.fl.open(str(path), "rb") as file:
         assert file.schema == "hoomd" and file.schema_version == (1, 4) and file.nframes == len(frames)
     with gsd.hoomd.open(str(path), "rb") as trajectory:
@@ -216,6 +237,7 @@ def check_gsd(path, frames):
             single(particles.mass, frame["mass"], "gsd mass")
             same(particles.typeid, frame["type"] - 1, "gsd typeid")
             same(particles.image, frame["map_shift"], "gsd image")
+            assert read.bonds.N == len(bonds) and numpy.array_equal(read.bonds.group, numpy.reshape(bonds, (-1, 2)))
             same(log["time"], [frame.time], "gsd log/time")
             same(log["pbc"], frame.pbc, "gsd log/pbc")
             same(log["box/origin"], frame.origin, "gsd log/box/origin")
@@ -310,7 +332,7 @@ def check(program, name, scenario, folder):
         "zstd": "the same text",
         "ASE, xyz": check_ase_xyz(out / "trajectory.xyz", frames),
         "ASE, dump": check_ase_lammps(out / "trajectory.lammpstrj", frames),
-        "gsd": check_gsd(out / "trajectory.gsd", frames),
+        "gsd": check_gsd(out / "trajectory.gsd", frames, BONDS.get(name, [])),
         "MDAnalysis": check_mdanalysis(out, frames),
         "VTK": check_vtk(out / "trajectory.pvd", frames),
         "NumPy": check_numpy(program, out, frames),

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -63,6 +64,21 @@ TEST(RecordingHeader, HasBodiesWhereContactsMayChangeThem) {
   Simulation simulation(make_gas({.count = 20, .packing_fraction = 0.05}));
   simulation.respond_with([](const Contact& contact) { return contact.before; });
   EXPECT_EQ(recording_header(simulation).has_bodies, true);
+}
+
+TEST(RecordingHeader, HasBonds) {
+  StepTable steps;
+  const StepTable::Number tether = steps.add_bond(StepPotential({.steps = {{2, 0}}, .is_tether = true}));
+  World world(Box::open());
+  for (const double x : {0.0, 3.0, 6.0}) world.add({.position = {x, 0, 0}, .radius = 1});
+  Interactions interactions;
+  interactions.set_steps(steps);
+  world.set_interactions(interactions);
+  world.add_bond(2, 1, tether);
+  world.add_bond(0, 1, tether);
+  const RecordingHeader header = recording_header(Simulation(world));
+  const std::vector<std::array<SphereId, 2>> bonds{{0, 1}, {1, 2}};
+  EXPECT_EQ(header.bonds, bonds);
 }
 
 TEST(RecordingHeader, HasGravityAndSurfaces) {

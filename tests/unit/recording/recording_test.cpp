@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -69,6 +70,12 @@ TEST(RecordingHeader, SaysWhatHoldsPackedSpheres) {
   EXPECT_NE(json.find(R"("forces":[[0,1,1.0,-2.0,0.0,1.5],[1,-6,0.0,0.0,0.0,null]])"), std::string::npos)
       << json;
   EXPECT_EQ(parse_recording_header(json, "test").spheres, 2U);
+}
+
+TEST(RecordingHeader, SaysWhichSpheresAreBonded) {
+  const std::vector<std::array<SphereId, 2>> bonds{{0, 1}, {1, 4}};
+  EXPECT_EQ(parse_recording_header(to_json({.spheres = 5, .bonds = bonds}), "test").bonds, bonds);
+  EXPECT_EQ(to_json({.spheres = 5}).find("bonds"), std::string::npos);
 }
 
 TEST(Recording, ContainsTheHeaderAndTheSpheres) {
@@ -606,6 +613,14 @@ TEST(Recording, InvalidHeadersAreRefused) {
       R"({"spheres": 2, "gravity": [0, 0], )" + box + "}",
       R"({"spheres": 2, "gravity": [0, 0, null], )" + box + "}",
       R"({"spheres": 2, "gravity": [0, 0, 1e400], )" + box + "}",
+      R"({"spheres": 2, "bonds": {}, )" + box + "}",
+      R"({"spheres": 2, "bonds": [0, 1], )" + box + "}",
+      R"({"spheres": 2, "bonds": [[0]], )" + box + "}",
+      R"({"spheres": 2, "bonds": [[0, 1, 1]], )" + box + "}",
+      R"({"spheres": 2, "bonds": [[0, 2]], )" + box + "}",
+      R"({"spheres": 2, "bonds": [[-1, 0]], )" + box + "}",
+      R"({"spheres": 2, "bonds": [[1, 1]], )" + box + "}",
+      R"({"spheres": 0, "bonds": [[0, 0]], )" + box + "}",
       R"({"spheres": 2, "box": {"size": [0, 1, 1], "boundary": ["wall", "wall", "wall"]}})",
       R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall"]}})",
       R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall", "wall"]}})",

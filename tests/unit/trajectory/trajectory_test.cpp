@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -17,6 +18,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/trajectory/gsd_file.hpp"
+#include "hardball/trajectory/gsd_reader.hpp"
 #include "hardball/world/sphere_edit.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -437,6 +439,30 @@ TEST(Trajectory, KeepsSpheresWithinTheBoxInSinglePrecision) {
   EXPECT_GT(coordinate(0), 4.9999F);
   EXPECT_EQ(coordinate(1), -5.0F);
   EXPECT_EQ(coordinate(2), 0.0F);
+}
+
+TEST(Trajectory, OfGsdKeepsBonds) {
+  const ScratchFolder folder;
+  Snapshot snapshot;
+  for (const double x : {1.0, 3.0, 5.0, 7.0}) snapshot.spheres.push_back({.position = {x, 1, 1}});
+  snapshot.ids = {2, 3, 5, 9};
+  snapshot.box = SnapshotBox{.low = {}, .size = {10, 10, 10}};
+  using Bonds = std::vector<std::array<std::int64_t, 2>>;
+  const std::vector<Bonds> bonds{{{2, 3}, {5, 9}}, {{2, 3}, {5, 9}}, {{2, 9}}, {}, {{2, 3}, {5, 9}}};
+  {
+    Trajectory trajectory(folder / "run.gsd");
+    for (const Bonds& of_frame : bonds) {
+      snapshot.bonds = of_frame;
+      trajectory.append(snapshot);
+    }
+    trajectory.close();
+  }
+  GsdReader reader(folder / "run.gsd");
+  for (std::size_t frame = 0; frame < bonds.size(); ++frame)
+    EXPECT_EQ(reader.read(frame).bonds, bonds[frame]) << frame;
+  snapshot.bonds = {{2, 4}};
+  Trajectory other(folder / "other.gsd");
+  EXPECT_THROW(other.append(snapshot), Error);
 }
 
 TEST(Trajectory, ReadsSinglePrecisionWhereThereIsNoOther) {

@@ -22,7 +22,7 @@ before(async () => {
 after(() => browser?.close());
 
 // Shows a recording of two spheres of different species.
-async function withSpheres({ boundary, keyframe, bodies, contacts }, work) {
+async function withSpheres({ boundary, keyframe, bodies, contacts, bonds }, work) {
   const header = {
     spheres: 2,
     box: { size: kStill, boundary },
@@ -33,6 +33,7 @@ async function withSpheres({ boundary, keyframe, bodies, contacts }, work) {
     name: 'bodies',
     restitution: null,
     species: { names: ['drop', 'mist'], runs: [[0, 1], [1, 1]] },
+    bonds,
   };
   const masses = [bodies[8], bodies[18]];
   const chunk = { begin: 0, end: 4, keyframe, bodies, contacts };
@@ -99,6 +100,35 @@ test('of spheres that merge one vanishes, and the other grows, at the exact time
     assert.equal(await page.textContent('#sphere-species'), 'drop');
     assert.equal(await page.textContent('#count-mergers'), '1');
     assert.match(await page.textContent('#legend-events'), /merger/);
+  });
+});
+
+// Two spheres that part, whose bond is five diameters long at the start.
+const kTied = {
+  boundary: kBox,
+  keyframe: [-5, 0, 0, 0, -1, 0, 0, 5, 0, 0, 0, 1, 0, 0],
+  bodies: [...kStill, ...kUpright, 1, 1, 0.4, ...kStill, ...kUpright, 1, 1, 0.4],
+  contacts: [],
+  bonds: [[0, 1]],
+};
+
+test('a bond is a rod from sphere to sphere that follows them', async () => {
+  await withSpheres(kTied, async (page) => {
+    const isBond = (red, green, blue) => red > blue + 40;
+    const bondAt = async (place) => {
+      const { x, y } = await page.evaluate((place) => window.hardball.screenPlace(place), place);
+      return middleOf(await browser.pixels(page), { x: x - 4, y: y - 4, width: 8, height: 8 }, isBond).count;
+    };
+    assert.equal((await page.evaluate(() => window.hardball.state())).bonds, 1);
+    await setTime(page, 0);
+    assert.ok((await bondAt([2.5, 0, 0])) > 20);
+    await setTime(page, 4);
+    assert.ok((await bondAt([2.5, 2, 0])) > 20);
+    assert.equal(await bondAt([2.5, 0, 0]), 0);
+    await page.keyboard.press('b');
+    assert.ok(!(await page.isChecked('#show-bonds')));
+    await setTime(page, 3.9);
+    assert.equal(await bondAt([2.5, 1.95, 0]), 0);
   });
 });
 

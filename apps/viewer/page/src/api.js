@@ -59,6 +59,7 @@ export function createApi(viewer) {
       surfaces: viewer.surfaces.map((surface) => surface.name),
       flashes: viewer.flashes.total,
       forces: viewer.forceLines.forces.length,
+      bonds: viewer.bondLines.bonds.length,
       images: viewer.surroundings.images.count,
       chunks: source.ends.length,
       chunksInMemory: store.chunks.size,

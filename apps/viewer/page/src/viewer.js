@@ -23,6 +23,7 @@ import { WindowsPanel } from './panel/windows_panel.js';
 import { CellLayer, kFew } from './scene/cell_layer.js';
 import { kSpeciesColors } from './scene/colors.js';
 import { EventFlashes } from './scene/event_flashes.js';
+import { BondLines } from './scene/bond_lines.js';
 import { ForceLines } from './scene/force_lines.js';
 import { pick } from './scene/pick.js';
 import { Quality } from './scene/quality.js';
@@ -91,10 +92,11 @@ export class Viewer {
     this.trail = new Trail(this.box);
     this.cellLayer = new CellLayer(this.bodies.radii, this.box);
     this.forceLines = new ForceLines(header.forces ?? [], this.bodies, this.box, this.spheres.uniforms);
+    this.bondLines = new BondLines(header.bonds ?? [], this.bodies, this.box, this.spheres.uniforms);
     const { radii: radiiNow } = this.bodies;
     this.surroundings = new NeighborQuery(this.surfaces, radiiNow, this.box, this.spheres, this.largestRadius);
-    for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer, this.forceLines, this.surroundings])
-      this.view.scene.add(object);
+    const layers = [this.flashes, this.trail, this.cellLayer, this.forceLines, this.bondLines, this.surroundings];
+    for (const { object } of [this.spheres, ...layers]) this.view.scene.add(object);
 
     this.notices = new Notices();
     this.plots = new Plots(source, this.player, this.box, this.surfaces);
@@ -120,6 +122,7 @@ export class Viewer {
     showSurfaceLegend(this.surfaces, this.surroundings.layer.colors);
     this.legend.showKinematic(masses.filter((mass) => mass === Infinity).length);
     showForceLegend(this.hasForces);
+    element('bonds-label').hidden = !this.hasBonds;
     element('spin-label').hidden = !this.canTurn;
     element('walls-label').hidden = this.surfaces.length === 0;
     element('images-label').hidden = !this.surroundings.images.isPeriodic;
@@ -263,6 +266,10 @@ export class Viewer {
     return this.forceLines.forces.length > 0;
   }
 
+  get hasBonds() {
+    return this.bondLines.bonds.length > 0;
+  }
+
   /** How far the neighborhood of the followed sphere reaches [L]. */
   get reach() {
     const edge = this.cells ? Math.max(...this.cells.edge) : 0;
@@ -323,6 +330,8 @@ export class Viewer {
       this.forceLines.update(this.playback);
       uniforms.scale.value *= kScaleAmongForces;
     }
+    this.bondLines.object.visible = this.hasBonds && element('show-bonds').checked;
+    if (this.bondLines.object.visible) this.bondLines.update(this.playback);
     uniforms.hasMarks.value = this.canTurn && element('show-spin').checked;
     uniforms.leastPixels.value = this.sizes.leastPixels * this.view.pixelRatio;
     if (followed >= 0) {
@@ -585,7 +594,8 @@ export class Viewer {
     element('show-cells').addEventListener('change', (event) => this.showCells(event.target.checked));
     element('cell-edge').addEventListener('change', (event) => this.setCellEdge(Number(event.target.value)));
     element('slow').addEventListener('click', () => this.slowDown());
-    for (const id of ['show-events', 'show-walls', 'show-images', 'show-spin', 'show-forces', 'camera-follows', 'near-only']) {
+    const layers = ['events', 'walls', 'images', 'spin', 'forces', 'bonds'].map((name) => `show-${name}`);
+    for (const id of [...layers, 'camera-follows', 'near-only']) {
       element(id).addEventListener('change', () => (this.view.isStale = true));
     }
     if (this.source.replayAddress) element('save').href = this.source.replayAddress;

@@ -59,7 +59,7 @@ export function keyGroups(viewer) {
       bindings: [
         binding('C E', 'cells, contacts', { c: click('show-cells'), e: click('show-events') }),
         binding('W I', 'walls, periodic images', { w: click('show-walls'), i: click('show-images') }),
-        binding('L', 'lines of forces, in packings', { l: click('show-forces') }),
+        binding('L B', 'lines of forces, in packings; bonds', { l: click('show-forces'), b: click('show-bonds') }),
         binding('S', 'marks that turn with the spheres', { s: click('show-spin') }),
         binding('Esc', 'stop following', { Escape: () => viewer.follow(null) }),
         binding('?', 'these keys', { '?': () => viewer.help.toggle() }),

@@ -56,6 +56,9 @@ function color(hexadecimal) {
 /** Kinematic spheres tend to this color. */
 export const kKinematicColor = color('8a8f98');
 
+/** Of bonds between spheres. */
+export const kBondColor = color('c98a1b');
+
 const kWallColor = color('66789a');
 const kObstacleColor = color('4a4f58');
 const kCold = color('2166ac');
