@@ -150,8 +150,7 @@ TEST_F(Failure, OfAProcessKilledOutrightLosesLittleOfTheEventLog) {
   using namespace std::chrono_literals;
   const Program program(
       folder_, {"run", "gas.toml", "--unit-costs", "standard", "--until", "1e6", "--engine", "all-pairs",
-                "--set", "spheres.0.count=10000", "--set",
-                "spheres.0.radius=0.05", "--quiet"});
+                "--set", "spheres.0.count=10000", "--set", "spheres.0.radius=0.05", "--quiet"});
   const std::filesystem::path log = folder_ / "out/events.npy";
   std::uint64_t counted = 0;
   for (int i = 0; i < 6000 && counted == 0; ++i) {
