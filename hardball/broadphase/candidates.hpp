@@ -149,25 +149,16 @@ class Candidates {
     end();
   }
 
-  /// As keep_if, for candidates that mean nearest images: is_wanted(slot) is a number, zero if the candidate
-  /// is removed. Branchless, as that is unpredictable.
-  template <class Predicate>
-  void keep_slots_if(Predicate&& is_wanted) {
+  /// The same for candidates that mean nearest images: keep(slots, count, kept) writes those wanted to
+  /// `kept`, which may be `slots` and has room for a whole vector more, and returns how many they are.
+  template <class Keep>
+  void keep_slots(Keep&& keep) {
     if (size_ > room_) {
       room_ = size_;
       slots_.resize(room_ + kPadding);
     }
-    const Slot* const all = slots();
-    Slot* const kept_slots = slots_.data();
-    const std::size_t count = size_;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Slot other = all[i];
-      kept_slots[kept] = other;
-      kept += is_wanted(other) ? 1U : 0U;
-    }
+    size_ = keep(slots(), size_, slots_.data());
     listed_ = nullptr;
-    size_ = kept;
     end();
   }
 

@@ -15,7 +15,6 @@
 #include "hardball/engine/check_forecast.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/engine/run.hpp"
-#include "hardball/engine/slot_marks.hpp"
 #include "hardball/events/event_queue.hpp"
 #include "hardball/events/plan.hpp"
 #include "hardball/geometry/inlining.hpp"
@@ -405,14 +404,14 @@ class Forecast {
   bool has_walls_ = false;
   bool has_images_of_obstacles_ = false;
   bool has_passing_pairs_ = false;
-  bool has_steps_ = false;            // of potentials
-  bool has_excluded_ = false;         // some candidates must be left out: one of the two above
-  bool has_special_pairs_ = false;    // that bounds do not know: inside of steps, or across a sheared face
-  Candidates candidates_;             // of the current sphere
-  Candidates candidates_of_partner_;  // of the sphere that it meets
-  PairContacts pairs_;                // of the current bucket
-  StepCandidates step_candidates_;    // of the current sphere
-  mutable SlotMarks::Table marks_of_pairs_;
+  bool has_steps_ = false;              // of potentials
+  bool has_excluded_ = false;           // some candidates must be left out: one of the two above
+  bool has_special_pairs_ = false;      // that bounds do not know: inside of steps, or across a sheared face
+  Candidates candidates_;               // of the current sphere
+  Candidates candidates_of_partner_;    // of the sphere that it meets
+  PairContacts pairs_;                  // of the current bucket
+  StepCandidates step_candidates_;      // of the current sphere
+  mutable std::vector<Slot> partners_;  // inside of steps with the current sphere
   Counters counters_;
 };
 

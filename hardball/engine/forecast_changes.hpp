@@ -87,13 +87,12 @@ template <BroadPhase Phase>
 HARDBALL_NEVER_INLINE void Forecast<Phase>::exclude(Candidates& candidates) const {
   const Slot slot = candidates.self();
   if (has_steps_) {
-    SlotMarks marks(marks_of_pairs_);
-    bool are_all_marked = candidates.uses_minimum_image();
-    for (const PairLevel& pair : world_.pair_levels().of(slot))
-      are_all_marked = are_all_marked && marks.mark(pair.partner);
-    if (are_all_marked) {
-      candidates.keep_slots_if([&](Slot other) { return !marks.is_marked(other); });
-    } else {
+    const std::span<const PairLevel> pairs = world_.pair_levels().of(slot);
+    if (candidates.uses_minimum_image() && !pairs.empty()) {
+      partners_.clear();
+      for (const PairLevel& pair : pairs) partners_.push_back(pair.partner);
+      predictor_.exclude(candidates, partners_);
+    } else if (!pairs.empty()) {
       candidates.keep_if([&](std::size_t i) { return !world_.pair_levels().find(slot, candidates.slot(i)); });
     }
   }

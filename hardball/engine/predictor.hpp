@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "hardball/bounds/compact_paths.hpp"
@@ -132,6 +133,13 @@ class Predictor {
                                     .inverse_period = &world.box().inverse_period(),
                                     .now_high = now.high,
                                     .now_low = now.low});
+  }
+
+  /// Removes those `excluded` from candidates that mean nearest images.
+  void exclude(Candidates& candidates, std::span<const Slot> excluded) const {
+    candidates.keep_slots([&](const Slot* slots, std::size_t count, Slot* kept) {
+      return kernels_->exclude(slots, count, excluded.data(), excluded.size(), kept);
+    });
   }
 
   /// The contacts of a sphere with its candidates. Precondition: `candidates` has been ended, means nearest

@@ -18,6 +18,7 @@ struct Kernels {
   BoundPairKernel bound_contacts_of_two;
   NearKernel pick_near;
   DifferenceKernel find_differences;
+  ExcludeKernel exclude;
 };
 
 /// Error: the instruction set is not available.

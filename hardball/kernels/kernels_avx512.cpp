@@ -47,7 +47,8 @@ const Kernels kAvx512Kernels{.earliest_contact = earliest_contact<Lanes>,
                              .bound_contacts = bound_contacts<Floats>,
                              .bound_contacts_of_two = bound_contacts_of_two<Floats>,
                              .pick_near = pick_near<Floats>,
-                             .find_differences = find_differences<Floats>};
+                             .find_differences = find_differences<Floats>,
+                             .exclude = exclude<Floats>};
 
 }  // namespace hardball
 

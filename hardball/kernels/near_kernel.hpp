@@ -78,4 +78,11 @@ using DifferenceKernel = Differences (*)(const std::uint32_t* before, std::size_
                                          std::uint32_t* gained, std::uint32_t* lost);
 inline constexpr std::size_t kMaxCompared = 64;
 
+/// Writes to `kept` those of the `count` slots at `slots` that are not among the `excluded_count` ones at
+/// `excluded`, in their order, and returns how many there are. `kept` may be `slots`. Precondition: there is
+/// room for kWidestVector more in both. Cost: O(count * excluded_count / width).
+using ExcludeKernel = std::size_t (*)(const std::uint32_t* slots, std::size_t count,
+                                      const std::uint32_t* excluded, std::size_t excluded_count,
+                                      std::uint32_t* kept);
+
 }  // namespace hardball

@@ -131,4 +131,21 @@ Differences find_differences(const std::uint32_t* before, std::size_t lanes, std
   return {static_cast<std::size_t>(end_of_gained - gained), static_cast<std::size_t>(end_of_lost - lost)};
 }
 
+template <class Floats>
+std::size_t exclude(const std::uint32_t* slots, std::size_t count, const std::uint32_t* excluded,
+                    std::size_t excluded_count, std::uint32_t* kept) {
+  using Integers = typename Floats::Integers;
+  constexpr unsigned kAll = (1U << Floats::kWidth) - 1;
+  std::uint32_t* end = kept;
+  for (std::size_t i = 0; i < count; i += Floats::kWidth) {
+    const Integers some = Integers::load(slots + i);
+    const std::size_t left = count - i;
+    unsigned stay = left < Floats::kWidth ? (1U << left) - 1 : kAll;
+    for (std::size_t k = 0; k < excluded_count; ++k) stay &= ~bits(some == Integers(excluded[k]));
+    some.keep(stay, end);
+    end += std::popcount(stay);
+  }
+  return static_cast<std::size_t>(end - kept);
+}
+
 }  // namespace hardball

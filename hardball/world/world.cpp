@@ -265,12 +265,18 @@ void World::reshape(Slot slot, double radius, double mass, double inertia_factor
 }
 
 void World::set_interactions(const Interactions& interactions) {
-  interactions_ = interactions;
+  const Interactions before = std::exchange(interactions_, interactions);
   note_reaches();
-  check_steps();
+  try {
+    check_steps();
+    if (motion_.has_growth()) refuse_growth_with_others();
+    refuse_shear_with_others();
+  } catch (...) {
+    interactions_ = before;
+    note_reaches();
+    throw;
+  }
   note_traits();
-  if (motion_.has_growth()) refuse_growth_with_others();
-  refuse_shear_with_others();
 }
 
 void World::set_growth(const Growth& growth) {

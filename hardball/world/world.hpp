@@ -133,6 +133,7 @@ class HARDBALL_EXPORT World {
 
   /// What happens when spheres touch each other or a wall; by default they are smooth and elastic.
   const Interactions& interactions() const { return interactions_; }
+  /// Error, and nothing changes: they exclude each other, or gravity, growth or shear excludes them.
   void set_interactions(const Interactions& interactions);
 
   SphereId id(Slot slot) const { return ids_[slot]; }

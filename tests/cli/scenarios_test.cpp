@@ -61,6 +61,14 @@ TEST_P(EveryScenario, IsTheSameWithAllEngines) {
   }
 }
 
+TEST(Verify, LeavesOutDomainsThatCannotShareTheSpheres) {
+  const ScratchFolder folder;
+  const Outcome outcome = run_program(folder, {"verify", path_of("square_well"), "--until", "0.05"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages << outcome.output;
+  EXPECT_NE(outcome.output.find("threads cannot share spheres with potentials of steps"), std::string::npos)
+      << outcome.output;
+}
+
 INSTANTIATE_TEST_SUITE_P(All, EveryScenario, testing::ValuesIn(all_scenarios()),
                          [](const testing::TestParamInfo<std::string>& test) { return test.param; });
 

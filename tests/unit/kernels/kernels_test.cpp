@@ -209,6 +209,33 @@ TEST(NearKernel, FindsTheSameInBothDirections) {
   EXPECT_LT(near_ones, queries * 3 / 4);
 }
 
+TEST(ExcludeKernel, KeepsTheOthersInOrderWithAllInstructionSets) {
+  for (std::uint64_t seed = 0; seed < support::cases(5000); ++seed) {
+    Random random(seed);
+    const auto some = [&](std::size_t most) {
+      std::vector<std::uint32_t> slots(random.bits() % (most + 1));
+      for (std::uint32_t& slot : slots) slot = static_cast<std::uint32_t>(random.bits() % 60);
+      return slots;
+    };
+    std::vector<std::uint32_t> slots = some(100);
+    const std::vector<std::uint32_t> excluded = some(20);
+    std::vector<std::uint32_t> expected;
+    std::ranges::copy_if(slots, std::back_inserter(expected),
+                         [&](std::uint32_t slot) { return std::ranges::count(excluded, slot) == 0; });
+    const std::size_t count = slots.size();
+    slots.resize(count + kWidestVector, 7);
+    for (const InstructionSet set : available_instruction_sets()) {
+      std::vector<std::uint32_t> kept(count + kWidestVector);
+      kept.resize(
+          kernels_of(set).exclude(slots.data(), count, excluded.data(), excluded.size(), kept.data()));
+      ASSERT_EQ(kept, expected) << "seed " << seed;
+      std::vector<std::uint32_t> same = slots;
+      same.resize(kernels_of(set).exclude(same.data(), count, excluded.data(), excluded.size(), same.data()));
+      ASSERT_EQ(same, expected) << "seed " << seed;
+    }
+  }
+}
+
 TEST(DifferenceKernel, ComparesSetsWithAllInstructionSets) {
   constexpr std::uint32_t kSelf = 1000;
   for (std::uint64_t seed = 0; seed < support::cases(5000); ++seed) {

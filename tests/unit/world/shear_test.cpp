@@ -120,7 +120,7 @@ TEST(ShearedWorld, RefusesWhatDoesNotGoTogether) {
   interactions.set_steps(steps);
   EXPECT_EQ(problem_of([&] { world.set_interactions(interactions); }),
             sheared + "there are potentials of steps");
-  world.set_interactions(Interactions());
+  EXPECT_FALSE(world.has_steps()) << "what is refused is not kept";
   EXPECT_NE(problem_of([&] { static_cast<void>(clearance(world, Time(0), {1, 1, 1})); }), "none");
   EXPECT_NE(problem_of([&] { Simulation(world, {.engine = EngineKind::paper}); }), "none");
   EXPECT_EQ(problem_of([&] { Simulation(world, {.threads = 2}); }), "threads cannot share a sheared box");
