@@ -90,7 +90,7 @@ def main():
     reference = SITE / "cpp_reference.md"
     if missing := missing_from_reference(source / "doxygen" / "xml", "hardball::Simulation", reference.read_text()):
         sys.exit(f"{reference}: lacks {', '.join(missing)}, which users of Simulation meet")
-    command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", source, folder / "html"]
+    command = [sys.executable, "-m", "sphinx", "-q", "-E", "-W", "--keep-going", "-b", "html", source, folder / "html"]
     subprocess.run(command, check=True, env={**os.environ, "LC_ALL": "C.UTF-8"})
     # Debian's theme expects this at the root of a web server.
     theme = folder / "html" / "_static" / "styles" / "furo.css"
