@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hardball/errors/error.hpp"
+
 namespace hardball {
 namespace {
 
@@ -17,6 +19,7 @@ constexpr double kLongestAge = 0x1.cp30;
 
 // The steps of the grid are at most this fraction of the greatest distance l of candidates.
 constexpr double kGridStep = 0x1p-26;
+constexpr double kRing = 0x1p32;
 // Beyond, in units of l, coordinates in double precision are too coarse.
 constexpr double kFarthestPosition = 0x1p24;
 // The largest coordinate in steps of the grid that converts exactly.
@@ -29,6 +32,9 @@ constexpr double kSpeedMargin = 8;
 constexpr std::uint64_t kCopiesPerSphere = 32;
 constexpr std::uint64_t kUnboundedShare = 8;
 constexpr std::uint64_t kFewCopies = 256;
+
+// Makes up for rounding in single precision.
+constexpr double kRoundedDown = 1 - 0x1p-10;
 
 float rounded_up(double number) {
   const auto nearest = static_cast<float>(number);
@@ -46,18 +52,43 @@ double unit_of(double number) {
 }  // namespace
 
 void CompactPaths::reset(const World& world, double farthest, const Time& now) {
+  reset(world, farthest, farthest, now);
+}
+
+void CompactPaths::reset(const World& world, double farthest, double most_moved, const Time& now) {
   if (paths_.size() < world.size()) {
     paths_.assign(world.size(), CompactPath{});
     squares_ = 0;
   }
+  HARDBALL_CHECK(farthest >= least_farthest(world.box()) && farthest >= most_moved);
   epoch_ = now;
   farthest_ = farthest;
+  most_moved_ = most_moved;
   choose_units(world);
   most_copies_ = kCopiesPerSphere * (world.size() + kFewCopies);
   most_unbounded_ = (world.size() + kFewCopies) / kUnboundedShare;
   for (Slot slot = 0; slot < world.size(); ++slot) copy(world, slot, now);
   copies_ = unbounded_ = 0;
   squares_ = 0;
+}
+
+double CompactPaths::least_farthest(const Box& box) {
+  return box.is_sheared() ? box.size().y / (kGridStep * kRing) : 0;
+}
+
+// Copies the image that is in a sheared box.
+void CompactPaths::copy_in_box(const Box& box, Slot slot, const Time& now, State state) {
+  box.fold(state.position, state.velocity, now);
+  // Not rounded into the next box.
+  state.position.y = std::clamp(state.position.y, 0.0, (kRing - 1) * step_.y);
+  copy(slot, now, state);
+}
+
+std::int32_t CompactPaths::sliding_at(const Time& moment) const {
+  constexpr double kFewBoxes = 16;
+  const double slid = images_.speed() * duration(epoch_, moment);
+  const bool is_near = std::fabs(slid) <= kFewBoxes * box_width_;
+  return steps_along_x(is_near ? slid_at_epoch_ + slid : images_.displacement_in_box(moment));
 }
 
 void CompactPaths::choose_units(const World& world) {
@@ -88,7 +119,6 @@ void CompactPaths::choose_units(const World& world) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     double step = kGridStep * farthest_;
     if (box.is_periodic(axis)) {
-      constexpr double kRing = 0x1p32;
       const double turns = std::ceil(box.size()[axis] / (kRing * step));
       step = box.size()[axis] / (turns * kRing);
     }
@@ -99,14 +129,24 @@ void CompactPaths::choose_units(const World& world) {
     scale_.gravity[axis] = static_cast<float>(world.motion().gravity()[axis] / speed_unit * time_unit_);
   }
   scale_.has_gravity = fall > 0;
+  most_moved_per_time_unit_ = kRoundedDown * most_moved_ * per_speed_;
   longest_age_of_all_ = scale_.has_gravity ? 0 : longest_age_;
+  if (box.is_sheared())
+    longest_age_of_all_ = std::min(longest_age_, kRoundedDown * most_moved_ / greatest_speed);
   growth_ = world.motion().growth();
   per_scale_ = 1 / growth_.largest_scale();
   scale_.has_growth = world.motion().has_growth();
   const double growth = std::max(0.0, growth_.rate * per_scale_ * time_unit_);
   scale_.growth = rounded_up(growth);
-  // The greatest rate at which a gap may change.
-  const double w = 2 * v + growth * l;
+  images_ = box.images();
+  box_width_ = box.size().x;
+  slid_at_epoch_ = box.is_sheared() ? images_.displacement_in_box(epoch_) : 0;
+  scale_.has_shear = box.is_sheared();
+  const double slide_speed = scale_.has_shear ? images_.speed() * per_speed_ : 0;
+  scale_.slide_speed = static_cast<float>(slide_speed);
+  // The greatest rate at which a gap may change; where images slide, twice that, as there is more to round.
+  double w = 2 * v + growth * l;
+  if (scale_.has_shear) w = 2 * (w + std::fabs(slide_speed));
   scale_.speed_error = rounded_up(0x1p-23 * w);
   scale_.tick = static_cast<float>(1 / kTicks);
   scale_.reach_allowance = rounded_up(0x1p-20 * l);
@@ -158,16 +198,15 @@ void CompactPaths::move(Slot from, Slot to) {
   if (!radii_.empty()) radii_[to] = radii_[from];
 }
 
-// Until then the sphere moves no farther than l, counting its rise and its fall apart.
-double CompactPaths::longest_age_of_falling(Slot slot) const {
+// Until then the sphere moves no farther than it may, counting its rise and its fall apart.
+double CompactPaths::longest_age_of(Slot slot) const {
   if (!is_bounded(slot)) return longest_age_;
-  constexpr float kRoundedDown = 1 - 0x1p-10F;
   const auto square = [](const std::array<float, 3>& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; };
-  const auto farthest = static_cast<float>(farthest_ / length_unit_);
+  const auto farthest = static_cast<float>(most_moved_ / length_unit_);
   const float speed_squared = square(paths_[slot].velocity);
   const float gravity = std::sqrt(square(scale_.gravity));
   const float root = std::sqrt(speed_squared + 2 * gravity * farthest);
-  const float age = kRoundedDown * 2 * farthest / (std::sqrt(speed_squared) + root);
+  const float age = static_cast<float>(kRoundedDown) * 2 * farthest / (std::sqrt(speed_squared) + root);
   return std::min(longest_age_, time_unit_ * static_cast<double>(age));
 }
 
@@ -176,7 +215,6 @@ void CompactPaths::note_unbounded(CompactPath& copy, const Vec3& position) {
   ++unbounded_;
   copy.velocity.fill(std::numeric_limits<float>::quiet_NaN());
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    constexpr double kRing = 0x1p32;
     copy.position[axis] =
         to_integer(std::remainder(position[axis], kRing * step_[axis]) * steps_per_length_[axis]);
   }

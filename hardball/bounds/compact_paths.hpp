@@ -22,12 +22,20 @@ namespace hardball {
 /// 2^32 lead to the nearest image. Lengths, speeds and times are scaled by powers of two that make the
 /// distance of candidates and the greatest speed about one. A copy is made whenever a path changes, and at
 /// any other time: bounds are true as long as the sphere has since moved no farther than the greatest
-/// distance of candidates. Source: docs/bounds.md, with the proof.
+/// distance of candidates. In a sheared box a copy is of the image in the box.
+/// Source: docs/bounds.md, with the proof.
 class CompactPaths {
  public:
   /// Copies all paths at `now`, where candidates are at most `farthest` [L] apart, and spheres move no
   /// farther before they are copied again. Cost: O(n).
   void reset(const World& world, double farthest, const Time& now);
+  /// The same in a sheared box, where the broad phase does not see to it that spheres do not move farther
+  /// than `most_moved` [L]: then copies expire. Precondition: `farthest` is at least least_farthest(), and at
+  /// least `most_moved`; half of the shortest period is more than `most_moved` and the distance of
+  /// candidates.
+  void reset(const World& world, double farthest, double most_moved, const Time& now);
+  /// The distance at which the heights of a sheared box fit into the ring of integers [L].
+  static double least_farthest(const Box& box);
   /// Makes room for one more sphere, or for one of another radius, and copies its path at `now`. Cost: O(1)
   /// amortized.
   void insert(const World& world, Slot slot, const Time& now);
@@ -36,26 +44,14 @@ class CompactPaths {
   /// Whether speeds have changed, or units were chosen long ago: then `renew` pays.
   bool are_outdated() const { return unbounded_ > most_unbounded_ || copies_ > most_copies_; }
   /// As reset(), with the distance given before.
-  void renew(const World& world, const Time& now) { reset(world, farthest_, now); }
+  void renew(const World& world, const Time& now) { reset(world, farthest_, most_moved_, now); }
 
   /// Copies one path as it is at `now`.
   void copy(const World& world, Slot slot, const Time& now) {
-    const auto [position, v] = world.motion().state_at(world.path(slot), now);
-    const double ticks = duration(epoch_, now) * ticks_per_time_;
-    const double speed_squared = dot(v, v);
-    CompactPath& copy = paths_[slot];
-    copy.store({to_integer(position.x * steps_per_length_.x), to_integer(position.y * steps_per_length_.y),
-                to_integer(position.z * steps_per_length_.z)},
-               to_integer(ticks),
-               {static_cast<float>(v.x * per_speed_), static_cast<float>(v.y * per_speed_),
-                static_cast<float>(v.z * per_speed_)});
-    ++copies_;
-    squares_ += speed_squared;
-    if (std::fabs(position.x) <= farthest_position_.x && std::fabs(position.y) <= farthest_position_.y &&
-        std::fabs(position.z) <= farthest_position_.z && std::fabs(ticks) <= kMaxTicks &&
-        speed_squared <= greatest_speed_squared_) [[likely]]
-      return;
-    note_unbounded(copy, position);
+    const State state = world.motion().state_at(world.path(slot), now);
+    if (scale_.has_shear) [[unlikely]]
+      return copy_in_box(world.box(), slot, now, state);
+    copy(slot, now, state);
   }
 
   /// Whether the last copy says anything of the contacts of the sphere.
@@ -73,9 +69,16 @@ class CompactPaths {
 
   /// How long the copy of any moving sphere is good [T]; zero if that depends on the sphere.
   double longest_age() const { return longest_age_of_all_; }
+  /// Whether the copy of one sphere is certainly good for this time [T].
+  bool is_good_for(Slot slot, double time) const {
+    const auto& v = paths_[slot].velocity;
+    const auto most = static_cast<float>(most_moved_per_time_unit_ / time);
+    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2] < most * most && !scale_.has_gravity &&
+           time < longest_age_;
+  }
   /// How long that of one sphere is [T].
   double longest_age(Slot slot) const {
-    return scale_.has_gravity ? longest_age_of_falling(slot) : longest_age_;
+    return scale_.has_gravity || scale_.has_shear ? longest_age_of(slot) : longest_age_;
   }
 
   /// What radii are at a moment, over the largest of the epoch, rounded up [1].
@@ -85,6 +88,17 @@ class CompactPaths {
     constexpr double kRoundedUp = 1 + 0x1p-22;
     return static_cast<float>(growth_.scale_at(Time(moment)) * per_scale_ * kRoundedUp);
   }
+
+  /// By how much the image above is displaced along x at a moment, in steps modulo 2^32; zero without shear.
+  std::int32_t slide_at(const Time& moment) const {
+    if (!scale_.has_shear) [[likely]]
+      return 0;
+    return sliding_at(moment);
+  }
+  /// How fast it moves along x [L/T].
+  double slide_speed() const { return images_.speed(); }
+  /// A distance along x in steps, modulo 2^32. Precondition: it is a few boxes at most.
+  std::int32_t steps_along_x(double distance) const { return to_integer(distance * steps_per_length_.x); }
 
   /// The distance given to reset() [L].
   double farthest() const { return farthest_; }
@@ -97,6 +111,7 @@ class CompactPaths {
   /// The units of the compact paths [L], [T].
   double length_unit() const { return length_unit_; }
   double time_unit() const { return time_unit_; }
+  double speed_unit() const { return 1 / per_speed_; }
   /// The largest radii of the epoch by slot, in units, rounded up; null if all are `radius(0)`.
   const float* radii() const { return radii_.empty() ? nullptr : radii_.data(); }
   /// The same for bounds; null if scale() has all.
@@ -129,7 +144,27 @@ class CompactPaths {
   void choose_units(const World& world);
   void copy_radii(const World& world);
   void copy_radius(Slot slot, double radius);
-  double longest_age_of_falling(Slot slot) const;
+  double longest_age_of(Slot slot) const;
+  std::int32_t sliding_at(const Time& moment) const;
+  void copy_in_box(const Box& box, Slot slot, const Time& now, State state);
+  HARDBALL_ALWAYS_INLINE void copy(Slot slot, const Time& now, const State& state) {
+    const auto& [position, v] = state;
+    const double ticks = duration(epoch_, now) * ticks_per_time_;
+    const double speed_squared = dot(v, v);
+    CompactPath& copy = paths_[slot];
+    copy.store({to_integer(position.x * steps_per_length_.x), to_integer(position.y * steps_per_length_.y),
+                to_integer(position.z * steps_per_length_.z)},
+               to_integer(ticks),
+               {static_cast<float>(v.x * per_speed_), static_cast<float>(v.y * per_speed_),
+                static_cast<float>(v.z * per_speed_)});
+    ++copies_;
+    squares_ += speed_squared;
+    if (std::fabs(position.x) <= farthest_position_.x && std::fabs(position.y) <= farthest_position_.y &&
+        std::fabs(position.z) <= farthest_position_.z && std::fabs(ticks) <= kMaxTicks &&
+        speed_squared <= greatest_speed_squared_) [[likely]]
+      return;
+    note_unbounded(copy, position);
+  }
   void note_unbounded(CompactPath& copy, const Vec3& position);
 
   LargeVector<CompactPath> paths_;  // by slot, also of slots that are not in use any more
@@ -139,6 +174,8 @@ class CompactPaths {
   std::size_t kinds_ = 1;  // of radii in the scale
   double per_speed_ = 1;
   double farthest_ = 1;
+  double most_moved_ = 1;
+  double most_moved_per_time_unit_ = 1;  // rounded down, in units of speed, times time [T]
   double length_unit_ = 1;
   double time_unit_ = 1;
   double ticks_per_time_ = 1;
@@ -150,7 +187,11 @@ class CompactPaths {
   double greatest_speed_squared_ = 0;
   Time epoch_;
   Growth growth_;
-  double per_scale_ = 1;  // of the growth, at its largest
+  // Of a sheared box:
+  SlidingImages images_;
+  double box_width_ = 0;
+  double slid_at_epoch_ = 0;  // by the image above
+  double per_scale_ = 1;      // of the growth, at its largest
   // Since units were chosen:
   std::uint64_t copies_ = 0;
   std::uint64_t unbounded_ = 0;  // copies that say nothing, of spheres too fast or too far away

@@ -20,7 +20,7 @@ constexpr double kMargin = 1e-6;
 }  // namespace
 
 void AllPairs::build(const World& world, const Time& now, CompactPaths& copies) {
-  copies.reset(world, 1, now);
+  copies.reset(world, std::max(1.0, CompactPaths::least_farthest(world.box())), now);
   reset(lines_, world);
   slid_.assign(world.size(), 0);
   for (Slot slot = 0; slot < world.size(); ++slot) center_interval(world, slot, now);

@@ -39,7 +39,6 @@ class Candidates {
     nearest_ = nearest;
     size_ = 0;
     listed_ = nullptr;
-    across_.clear();
   }
 
   Slot self() const { return self_; }
@@ -65,17 +64,6 @@ class Candidates {
   void add(Slot other) {
     make_room(1);
     slots_[size_++] = other;
-  }
-
-  /// Adds a sphere of a sheared box whose nearest image lies above or below, and slides: the bounds and
-  /// kernels of resting images do not hold for it.
-  void add_across(Slot other) { across_.push_back(other); }
-  /// Those, in addition to slots(); some perhaps more than once.
-  std::span<const Slot> across() const { return across_; }
-  /// Removes those for which is_wanted(slot) does not hold.
-  template <class Predicate>
-  void keep_across_if(Predicate&& is_wanted) {
-    std::erase_if(across_, [&](Slot other) { return !is_wanted(other); });
   }
 
   /// Adds the first `count` slots of a cache line. Copies the whole line: its length is known at compile
@@ -184,7 +172,6 @@ class Candidates {
   std::vector<Slot> slots_ = std::vector<Slot>(room_ + kPadding);
   std::vector<Image> images_;
   std::array<std::vector<double>, kAxes> shifts_;
-  std::vector<Slot> across_;
   // A direct-mapped cache of the candidates marked, its size a power of two; the round identifies outdated
   // marks.
   std::vector<std::uint64_t> seen_ = std::vector<std::uint64_t>(256);

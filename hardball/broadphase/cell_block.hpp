@@ -9,6 +9,7 @@
 
 #include "hardball/broadphase/cell_table.hpp"
 #include "hardball/broadphase/subdivision.hpp"
+#include "hardball/geometry/inlining.hpp"
 
 namespace hardball {
 
@@ -22,7 +23,8 @@ class CellBlock {
   static constexpr std::array<std::uint32_t, kAxes> kAxisBit{4, 2, 1};
 
   /// The block whose lowest cell is `low`.
-  CellBlock(const Subdivision& cells, const CellIndex& low, const CellTable& table) : table_(table) {
+  HARDBALL_ALWAYS_INLINE CellBlock(const Subdivision& cells, const CellIndex& low, const CellTable& table)
+      : table_(table) {
     for_each_axis([&](auto axis) {
       const std::int32_t index = cells.folded(axis, low[axis]);
       const std::uint32_t lower = table.part(axis, index);

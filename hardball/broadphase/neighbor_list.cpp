@@ -25,21 +25,42 @@ constexpr double kCrossingMargin = 0x1p-21;
 // How far an estimate from packed positions is off at most along an axis, in units: each position is rounded
 // down, the distance of two cells is rounded, and positions just outside of their cells are moved into them.
 constexpr float kPackingError = 2.5F;
+// Positions as seen from another row are rounded once more.
+constexpr float kPackingErrorInRows = 4;
 
 // With more long lists than this share, all get room for twice as many neighbors.
 constexpr std::size_t kLongShare = 32;
+
+// And between two copies of their paths spheres move no more than this one, where rows slide with them.
+constexpr double kMostMoved = 0.16;
 
 // Distances of neighbors stay below this fraction of a periodic box: then only one image of each is near,
 // and there are at least three cells along each axis.
 constexpr double kLargestListShare = 0.33;
 
+// Of a sheared box, in the least lengths that compact paths allow: by how much shells are larger, and how far
+// spheres may move with the flow between two copies.
+constexpr double kHeightMargin = 0x1p-4;
+constexpr double kHeightsMoved = 8;
+
 // The skin is at least this fraction of the largest radius.
 constexpr double kLeastListSkin = 0.02;
 
-// The largest distance between the centers of two neighbors: shells in contact, and both displaced from
-// their anchors.
-double farthest_neighbors(double largest_radius, double skin) {
-  return 2 * largest_radius + 4 * skin;
+// The largest distance between the centers of two neighbors: shells in contact, both displaced from their
+// anchors, and rows that have slid.
+double farthest_neighbors(double largest_radius, double skin, double slide) {
+  return 2 * largest_radius + 4 * skin + slide;
+}
+
+// Rows slide by no more than this multiple of the skin before lists expire.
+constexpr double kMostSlide = 1.5;
+
+// Modulo 2^32.
+std::int32_t sum_on_grid(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+std::int32_t difference_on_grid(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
 double smallest_period(const Box& box) {
@@ -52,64 +73,106 @@ double smallest_period(const Box& box) {
 
 // Whether lists can be made for spheres of up to this radius.
 bool fits(const Box& box, double largest_radius) {
-  return farthest_neighbors(largest_radius, kLeastListSkin * largest_radius) <=
+  const double skin = kLeastListSkin * largest_radius;
+  return farthest_neighbors(largest_radius, skin, box.is_sheared() ? kMostSlide * skin : 0) <=
          kLargestListShare * smallest_period(box);
 }
 
 }  // namespace
 
 bool NeighborList::supports(const World& world, double) {
-  return !world.box().is_sheared() && fits(world.box(), world.largest_bounding_radius());
+  return fits(world.box(), world.largest_bounding_radius());
 }
 
 double NeighborList::cell_edge(double largest_radius, double skin) {
-  return farthest_neighbors(largest_radius, skin) - 2 * skin;
+  return 2 * (largest_radius + skin);
+}
+
+double NeighborList::slide_of_skin(const Box& box, double largest_radius, double skin, double mean_speed) {
+  if (!box.is_sheared()) return 0;
+  constexpr double kLeastSlide = 0.05;
+  constexpr double kBallsLeft = 4;
+  const double slide = kBallsLeft * std::fabs(box.shear().rate) * cell_edge(largest_radius, skin);
+  return slide < kMostSlide * mean_speed ? std::max(kLeastSlide, slide / mean_speed) : kMostSlide;
 }
 
 void NeighborList::build(const World& world, const Time& now, CompactPaths& copies) {
   HARDBALL_CHECK(supports(world));
   const double grown = world.room_to_grow() * world.largest_bounding_radius();
   const double radius = largest_built_ = fits(world.box(), grown) ? grown : world.largest_bounding_radius();
-  const double largest = (kLargestListShare * smallest_period(world.box()) - 2 * radius) / 4;
-  skin_ = std::max(kLeastListSkin * radius, std::min(wanted_skin_, largest));
   // Without spheres any distance will do.
   const double any_radius = world.size() > 0 ? radius : 1;
-  const double farthest = farthest_neighbors(any_radius, skin_);
-  const double margin = kListMargin * farthest;
-  room_ = skin_ - kCrossingMargin * farthest;
-  cells_ = Subdivision(world.box(), cell_edge(any_radius, skin_) + 2 * margin);
-  copies.reset(world, farthest + 2 * margin, now);
+  double speeds = 0;
+  for (Slot slot = 0; world.box().is_sheared() && slot < world.size(); ++slot)
+    speeds += length(world.peculiar_velocity(slot, now));
+  const double mean_speed = speeds / std::max(1.0, static_cast<double>(world.size()));
+  const double per_skin = slide_of_skin(world.box(), any_radius, wanted_skin_, mean_speed);
+  const double largest = (kLargestListShare * smallest_period(world.box()) - 2 * radius) / (4 + per_skin);
+  skin_ = std::max(kLeastListSkin * radius, std::min(wanted_skin_, largest));
+  const double slide = per_skin * skin_;
+  const double farthest = farthest_neighbors(any_radius, skin_, slide);
+  // The heights of a sheared box fit into a ring of integers, which are coarser in a large one.
+  const double height = CompactPaths::least_farthest(world.box());
+  const double margin = kListMargin * std::max(farthest, kHeightMargin * height);
+  room_ = skin_ - kCrossingMargin * std::max(farthest, kHeightMargin * height);
+  cells_ = Subdivision(world.box(), cell_edge(any_radius, skin_) + slide / 2 + 2 * margin);
+  rows_ = SlidingRows(world.box(), cells_.period(1), now);
+  const double speed_of_rows = rows_.speed_of_step();
+  duration_ = speed_of_rows > 0 ? slide / speed_of_rows : std::numeric_limits<double>::infinity();
+  const double apart = farthest + 2 * margin;
+  if (rows_.are_present()) {
+    const double scale = std::max(apart, kHeightsMoved * height);
+    copies.reset(world, scale, std::min(scale, kMostMoved * smallest_period(world.box())), now);
+  } else {
+    copies.reset(world, apart, now);
+  }
   reach_ = static_cast<float>((2 * skin_ + margin) / copies.length_unit());
+  reach_of_slide_ = static_cast<float>(slide / 2 / copies.length_unit());
   room_squared_ = static_cast<float>(room_ * room_ / (copies.length_unit() * copies.length_unit()));
   table_ = CellTable(cells_.shape(), world.size());
   points_.reset(table_.size());
   choose_packing(copies);
   reset(lines_, world);
+  expiries_.assign(rows_.are_present() ? world.size() : 0, 0);
   for (Slot slot = 0; slot < world.size(); ++slot) {
     move_anchor(world, slot, now, copies);
     store_anchor(slot);
   }
-  make_lists(1, copies);
+  make_lists(1, now, copies);
 }
 
-void NeighborList::make_lists(std::uint32_t lines, const CompactPaths& copies) {
+void NeighborList::make_lists(std::uint32_t lines, const Time& now, const CompactPaths& copies) {
   neighbors_.reset(lines_.size(), lines);
   std::size_t long_ones = 0;
   for (Slot slot = 0; slot < lines_.size(); ++slot) {
-    find_near(slot, copies);
+    find_near(slot, now, copies);
     near_.count = static_cast<std::size_t>(std::remove(near_.begin(), near_.begin() + near_.count, slot) -
                                            near_.begin());
     neighbors_.assign(slot, near_.slots());
     long_ones += near_.count > PaddedLists::kLine ? 1U : 0U;
   }
-  if (lines == 1 && long_ones > lines_.size() / kLongShare) make_lists(2, copies);
+  if (lines == 1 && long_ones > lines_.size() / kLongShare) return make_lists(2, now, copies);
+  if (rows_.are_present()) make_mutual();
+}
+
+// Seen from two rows, distances are rounded in different ways: who has another in its list is in that one's
+// list, too.
+void NeighborList::make_mutual() {
+  for (Slot slot = 0; slot < lines_.size(); ++slot) {
+    const std::span<const Slot> lanes = neighbors_.of(slot);
+    for (const Slot other : std::vector<Slot>(lanes.begin(), lanes.end())) {
+      const std::span<const Slot> its = neighbors_.of(other);
+      if (other != slot && std::ranges::find(its, slot) == its.end()) neighbors_.insert(other, slot);
+    }
+  }
 }
 
 void NeighborList::insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
   reset(lines_, world, slot);
+  if (rows_.are_present() && slot == expiries_.size()) append_sparingly(expiries_, 0.0);
   neighbors_.add_owner(slot);
   move_anchor(world, slot, now, copies);
-  find_near(slot, copies);
+  find_near(slot, now, copies);
   store_anchor(slot);
   for (const Slot other : near_.slots()) neighbors_.insert(other, slot);
   neighbors_.assign(slot, near_.slots());
@@ -124,6 +187,7 @@ void NeighborList::erase(Slot slot) {
 }
 
 bool NeighborList::keeps(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const {
+  if (rows_.are_present()) return false;  // where it is in its row would have to be found
   const Anchor& anchor = lines_[slot].region;
   const CellIndex cell = cells_.cell_of(world.position(slot, now));
   bool is_near = copies.is_bounded(slot);
@@ -143,6 +207,7 @@ bool NeighborList::keeps(const World& world, Slot slot, const Time& now, const C
 void NeighborList::move(Slot from, Slot to) {
   points_.erase(table_.list(lines_[from].region.cell), from);
   lines_[to] = lines_[from];
+  if (rows_.are_present()) expiries_[to] = expiries_[from];
   store_anchor(to);
   const std::span<const Slot> lanes = neighbors_.of(from);
   std::vector<Slot> list(lanes.begin(), lanes.end());
@@ -168,6 +233,7 @@ void NeighborList::choose_packing(const CompactPaths& copies) {
       continue;
     }
     packing.steps_of_cell = static_cast<std::uint64_t>(std::ldexp(steps, 32));
+    packing.cells_of_step = 1 / steps;
     const auto in_units = [&] { return std::ldexp(steps, -static_cast<int>(packing.shift)); };
     while (in_units() > PackedPosition::kMax - 1) ++packing.shift;
     packing.units_of_cell = static_cast<std::int32_t>(std::lround(in_units()));
@@ -176,41 +242,87 @@ void NeighborList::choose_packing(const CompactPaths& copies) {
       packing.above = cells_.last(axis);
     }
     packing_unit_[axis] = std::ldexp(copies.scale().grid[axis], static_cast<int>(packing.shift));
-    error += kPackingError * kPackingError * packing_unit_[axis] * packing_unit_[axis];
+    const float units = axis == 0 && rows_.are_present() ? kPackingErrorInRows : kPackingError;
+    error += units * units * packing_unit_[axis] * packing_unit_[axis];
   }
   packing_error_ = std::sqrt(error);
 }
 
 // Of anchors beyond the outermost cells distances are underestimated.
-std::array<std::int32_t, 3> NeighborList::in_cell(const Anchor& anchor) const {
-  std::array<std::int32_t, 3> units;
-  for_each_axis([&](auto axis) {
-    const Packing& packing = packing_[axis];
-    const std::int32_t cell = anchor.cell[axis];
-    const std::uint64_t corner = static_cast<std::uint64_t>(std::int64_t{cell}) * packing.steps_of_cell;
-    const auto steps = static_cast<std::int32_t>(static_cast<std::uint32_t>(anchor.position[axis]) -
-                                                 static_cast<std::uint32_t>(corner >> 32));
-    constexpr auto kMax = static_cast<std::int32_t>(PackedPosition::kMax);
-    const std::int32_t inside = std::clamp(steps >> packing.shift, 0, kMax);
-    units[axis] = cell == packing.below ? kMax : cell == packing.above ? 0 : inside;
-  });
-  return units;
+std::int32_t NeighborList::in_cell(const Anchor& anchor, std::size_t axis) const {
+  const Packing& packing = packing_[axis];
+  const std::int32_t cell = anchor.cell[axis];
+  constexpr auto kMax = static_cast<std::int32_t>(PackedPosition::kMax);
+  const std::int32_t inside = std::clamp(steps_in_cell(anchor, axis) >> packing.shift, 0, kMax);
+  return cell == packing.below ? kMax : cell == packing.above ? 0 : inside;
+}
+
+std::int32_t NeighborList::steps_in_cell(const Anchor& anchor, std::size_t axis) const {
+  const std::uint64_t corner =
+      static_cast<std::uint64_t>(std::int64_t{anchor.cell[axis]}) * packing_[axis].steps_of_cell;
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(anchor.position[axis]) -
+                                   static_cast<std::uint32_t>(corner >> 32));
 }
 
 double NeighborList::next_crossing_of_any(const World& world, Slot slot, const Time& now,
                                           const CompactPaths& copies) const {
-  const auto& anchor = lines_[slot].region.position;
-  const Vec3 position{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1),
-                      copies.apart(anchor, slot, 2)};
+  if (!rows_.are_present()) return leaves_ball(world, slot, now, copies);
+  const CompactPath& path = copies.paths()[slot];
+  const RowMotion row = motion_of_row(slot, now, copies);
+  std::array<std::int32_t, 3> anchor = lines_[slot].region.position;
+  anchor[0] = sum_on_grid(anchor[0], row.displacement);
+  std::array<float, 3> velocity = path.velocity;
+  velocity[0] -= static_cast<float>(row.speed * copies.time_unit() / copies.length_unit());
+  const float wait = wait_in_ball(copies, path.position, velocity, anchor);
+  const double crossing = wait >= 0 ? rounded_down(now) + copies.time_unit() * static_cast<double>(wait)
+                                    : leaves_ball(world, slot, now, copies);
+  return std::min(crossing, std::max(rounded_down(now), expiries_[slot]));
+}
+
+double NeighborList::leaves_ball(const World& world, Slot slot, const Time& now,
+                                 const CompactPaths& copies) const {
+  const auto [position, velocity] = relative_to_anchor(world, slot, now, copies);
   const double reach = std::max(0.0, room_ - coordinate_error(world, slot, now));
-  return rounded_down(now) + wait_in_ball(world.motion(), position, world.velocity(slot, now), reach);
+  return rounded_down(now) + hardball::wait_in_ball(world.motion(), position, velocity, reach);
+}
+
+State NeighborList::relative_to_anchor(const World& world, Slot slot, const Time& now,
+                                       const CompactPaths& copies) const {
+  std::array<std::int32_t, 3> anchor = lines_[slot].region.position;
+  Vec3 velocity = world.velocity(slot, now);
+  if (rows_.are_present()) {
+    const RowMotion row = motion_of_row(slot, now, copies);
+    anchor[0] = sum_on_grid(anchor[0], row.displacement);
+    velocity.x -= row.speed;
+  }
+  return {{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1), copies.apart(anchor, slot, 2)},
+          velocity};
+}
+
+NeighborList::RowMotion NeighborList::motion_of_row(Slot slot, const Time& now,
+                                                    const CompactPaths& copies) const {
+  const Anchor& anchor = lines_[slot].region;
+  RowMotion row{copies.steps_along_x(rows_.displacement_in_box(anchor.cell[1], now)),
+                rows_.speed(anchor.cell[1])};
+  // The anchor may be that of an image above or below.
+  const std::int64_t above = std::int64_t{static_cast<std::uint32_t>(copies.paths()[slot].position[1])} -
+                             static_cast<std::uint32_t>(anchor.position[1]);
+  const auto layer = static_cast<std::int32_t>((above + (std::int64_t{1} << 31)) >> 32);
+  if (layer == 0) [[likely]]
+    return row;
+  const std::int32_t slide = copies.slide_at(now);
+  row.displacement = sum_on_grid(row.displacement, layer > 0 ? slide : difference_on_grid(0, slide));
+  row.speed += layer * copies.slide_speed();
+  return row;
 }
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
                          Candidates& candidates) {
+  if (rows_.are_present()) [[unlikely]]
+    rows_.keep_near_and_small(now);
   points_.erase(table_.list(lines_[slot].region.cell), slot);
   move_anchor(world, slot, now, copies);
-  find_near(slot, copies);
+  find_near(slot, now, copies);
   store_anchor(slot);
   find_changes(slot);
   candidates.begin(slot, true);
@@ -250,16 +362,27 @@ void NeighborList::find_changes(Slot slot) {
 }
 
 void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
-  lines_[slot].region.position = copies.paths()[slot].position;
-  lines_[slot].region.cell = cells_.cell_of(world.position(slot, now));
+  Anchor& anchor = lines_[slot].region;
+  anchor.position = copies.paths()[slot].position;
+  Vec3 position = world.position(slot, now);
+  anchor.cell = cells_.cell_of(position);
+  if (!rows_.are_present()) return;
+  expiries_[slot] = rounded_down(now) + duration_;
+  const double width = world.box().size().x;
+  position.x -= rows_.displacement_in_box(anchor.cell[1], now);
+  position.x -= std::floor(position.x / width) * width;
+  anchor.position[0] = copies.steps_along_x(position.x);
+  anchor.cell[0] = cells_.cell_of(position)[0];
 }
 
 // The spheres whose shells overlap a sphere's own, from the anchors in the cells around its own; the sphere
 // itself is among them if its anchor is stored.
-void NeighborList::find_near(Slot slot, const CompactPaths& copies) {
+void NeighborList::find_near(Slot slot, const Time& now, const CompactPaths& copies) {
+  if (rows_.are_present()) [[unlikely]]
+    note_step(now, copies);
   const std::size_t count = find_cells_around(lines_[slot].region, near_.cells);
   // Half of the reach belongs to each sphere, so that rounding is the same from either side.
-  const float half = (reach_ + packing_error_) / 2;
+  const float half = (reach_ + reach_of_slide_ + packing_error_) / 2;
   const float own_reach = half + copies.radius(slot);
   NearQuery query{
       .blocks = points_.blocks(),
@@ -294,58 +417,95 @@ void NeighborList::leave_out_far(Slot slot, const CompactPaths& copies) {
 // Whether the shells of two spheres overlap, and their cells touch: on the grid, anchors that are far apart
 // may seem near.
 bool NeighborList::are_near(Slot a, Slot b, const CompactPaths& copies) const {
+  const Anchor& of_b = lines_[b].region;
+  Anchor of_a = lines_[a].region;
+  if (rows_.are_present()) {
+    const std::int32_t rows = of_b.cell[1] - of_a.cell[1];
+    of_a = seen_from_row(of_a, std::abs(rows) <= 1 ? rows : rows > 0 ? -1 : 1);
+  }
   bool do_cells_touch = true;
   float distance_squared = 0;
   for_each_axis([&](auto axis) {
     const Packing& packing = packing_[axis];
-    const std::int32_t cell_of_a = lines_[a].region.cell[axis];
-    const std::int32_t cell_of_b = lines_[b].region.cell[axis];
+    const std::int32_t cell_of_a = of_a.cell[axis];
+    const std::int32_t cell_of_b = of_b.cell[axis];
     const std::int32_t rows = std::abs(cell_of_a - cell_of_b);
     do_cells_touch &= rows <= 1 || rows == cells_.period(axis) - 1;
     if (packing.steps_of_cell == 0 || packing.is_outermost(cell_of_a) || packing.is_outermost(cell_of_b))
       return;
-    const auto steps = static_cast<std::uint32_t>(lines_[a].region.position[axis]) -
-                       static_cast<std::uint32_t>(lines_[b].region.position[axis]);
+    const auto steps =
+        static_cast<std::uint32_t>(of_a.position[axis]) - static_cast<std::uint32_t>(of_b.position[axis]);
     const float apart = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
     distance_squared += apart * apart;
   });
-  const float reach = (reach_ / 2 + copies.radius(a)) + (reach_ / 2 + copies.radius(b));
+  const float half = (reach_ + reach_of_slide_) / 2;
+  const float reach = (half + copies.radius(a)) + (half + copies.radius(b));
   return do_cells_touch && distance_squared < reach * reach;
+}
+
+void NeighborList::note_step(const Time& now, const CompactPaths& copies) {
+  const double step = rows_.step(duration_ < kNever.high ? after(now, duration_ / 2) : now);
+  step_ = copies.steps_along_x(step);
+  step_in_cells_ = step / cells_.edge(0);
+}
+
+Anchor NeighborList::seen_from_row(const Anchor& anchor, std::int32_t rows) const {
+  if (rows == 0) return anchor;
+  const double cells = steps_in_cell(anchor, 0) * packing_[0].cells_of_step - rows * step_in_cells_;
+  const auto whole = static_cast<std::int32_t>(cells);
+  Anchor seen = anchor;
+  seen.position[0] = sum_on_grid(anchor.position[0], rows > 0 ? difference_on_grid(0, step_) : step_);
+  seen.cell[0] = cells_.folded(0, anchor.cell[0] + whole - (whole > cells ? 1 : 0));
+  return seen;
 }
 
 // Each row of cells along each axis contributes to the number of a list and to the offset of its cell.
 std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& around) const {
   using Four = std::uint32_t __attribute__((vector_size(16)));  // modulo 2^32
   static_assert(sizeof(CellNearby) == sizeof(Four));
-  std::array<std::array<Four, 3>, kAxes> rows;
-  std::array<std::size_t, kAxes> counts{};
-  const std::array<std::int32_t, 3> own = in_cell(anchor);
-  for_each_axis([&](auto axis) {
-    for (std::int32_t step = -1; step <= 1; ++step) {
-      const std::int32_t row = anchor.cell[axis] + step;
+  struct Rows {
+    std::array<Four, 3> parts;
+    std::size_t count = 0;
+  };
+  const auto rows_around = [this](std::size_t axis, const Anchor& seen, std::int32_t first,
+                                  std::int32_t last) {
+    Rows rows;
+    const std::int32_t own = in_cell(seen, axis);
+    for (std::int32_t step = first; step <= last; ++step) {
+      const std::int32_t row = seen.cell[axis] + step;
       if (row < cells_.first(axis) || row > cells_.last(axis)) [[unlikely]]
         continue;
       Four part{};
       part[0] = table_.part(axis, cells_.folded(axis, row));
-      part[axis + 1] = static_cast<std::uint32_t>(step * packing_[axis].units_of_cell - own[axis]);
-      rows[axis][counts[axis]++] = part;
+      part[axis + 1] = static_cast<std::uint32_t>(step * packing_[axis].units_of_cell - own);
+      rows.parts[rows.count++] = part;
     }
-  });
+    return rows;
+  };
   std::size_t count = 0;
-  const auto add = [&](const Four& cell) { std::memcpy(&around[count++], &cell, sizeof cell); };
-  if ((counts[0] == 3) & (counts[1] == 3) & (counts[2] == 3)) [[likely]] {
-    for (std::size_t x = 0; x < 3; ++x) {
-      for (std::size_t y = 0; y < 3; ++y) {
-        const Four row = rows[0][x] + rows[1][y];
-        for (std::size_t z = 0; z < 3; ++z) add(row + rows[2][z]);
+  const auto add = [&](const Rows& x, const Rows& y, const Rows& z) {
+    const auto add_one = [&](const Four& cell) { std::memcpy(&around[count++], &cell, sizeof cell); };
+    if ((x.count == 3) & (y.count == 3) & (z.count == 3)) [[likely]] {
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+          const Four row = x.parts[i] + y.parts[j];
+          for (std::size_t k = 0; k < 3; ++k) add_one(row + z.parts[k]);
+        }
+      }
+    } else {
+      for (std::size_t i = 0; i < x.count; ++i) {
+        for (std::size_t j = 0; j < y.count; ++j) {
+          for (std::size_t k = 0; k < z.count; ++k) add_one(x.parts[i] + y.parts[j] + z.parts[k]);
+        }
       }
     }
+  };
+  const Rows z = rows_around(2, anchor, -1, 1);
+  if (!rows_.are_present()) [[likely]] {
+    add(rows_around(0, anchor, -1, 1), rows_around(1, anchor, -1, 1), z);
   } else {
-    for (std::size_t x = 0; x < counts[0]; ++x) {
-      for (std::size_t y = 0; y < counts[1]; ++y) {
-        for (std::size_t z = 0; z < counts[2]; ++z) add(rows[0][x] + rows[1][y] + rows[2][z]);
-      }
-    }
+    for (std::int32_t row = -1; row <= 1; ++row)
+      add(rows_around(0, seen_from_row(anchor, row), -1, 1), rows_around(1, anchor, row, row), z);
   }
   if (table_.is_shared()) [[unlikely]] {
     for (std::size_t i = 0; i < count; ++i) around[i].block = table_.list_at(around[i].block);
@@ -355,6 +515,7 @@ std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& a
 
 std::size_t NeighborList::memory_bytes() const {
   return points_.memory_bytes() + lines_.capacity() * sizeof(lines_[0]) + neighbors_.memory_bytes() +
+         expiries_.capacity() * sizeof(double) +
          (near_.room.capacity() + gained_.capacity() + lost_.capacity()) * sizeof(Slot);
 }
 
@@ -365,21 +526,26 @@ void NeighborList::validate(const World& world, const Time& now, const CompactPa
     return std::count(lanes.begin(), lanes.end(), slot) == 1;
   };
   NeighborList search = *this;
+  if (rows_.are_present()) {
+    // Of lists made earlier only what is near by now can be said.
+    search.duration_ = 0;
+    search.reach_of_slide_ = 0;
+    search.packing_error_ = -packing_error_;
+  }
   for (Slot slot = 0; slot < world.size(); ++slot) {
     CompactPaths present = copies;
     present.copy(world, slot, now);
-    const auto& anchor = lines_[slot].region.position;
-    const Vec3 position{present.apart(anchor, slot, 0), present.apart(anchor, slot, 1),
-                        present.apart(anchor, slot, 2)};
+    const Vec3 position = relative_to_anchor(world, slot, now, present).position;
     HARDBALL_CHECK(length(position) <= skin_ + coordinate_error(world, slot, now));
-    search.find_near(slot, copies);
+    search.find_near(slot, now, copies);
     std::size_t others = 0;
     for (const Slot other : search.near_.slots()) {
       if (other == slot) continue;
       HARDBALL_CHECK(is_listed(slot, other) && is_listed(other, slot));
       ++others;
     }
-    HARDBALL_CHECK(neighbors_.size(slot) == others);
+    HARDBALL_CHECK(rows_.are_present() || neighbors_.size(slot) == others);
+    HARDBALL_CHECK(!rows_.are_present() || rounded_down(now) <= expiries_[slot]);
   }
 }
 

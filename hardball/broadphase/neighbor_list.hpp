@@ -14,6 +14,7 @@
 #include "hardball/broadphase/cell_table.hpp"
 #include "hardball/broadphase/padded_lists.hpp"
 #include "hardball/broadphase/point_lists.hpp"
+#include "hardball/broadphase/sliding_rows.hpp"
 #include "hardball/broadphase/sphere_lines.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/kernels/kernels.hpp"
@@ -21,7 +22,8 @@
 
 namespace hardball {
 
-/// Where a sphere's list was made.
+/// Where a sphere's list was made. In a sheared box an anchor moves with its row of cells (SlidingRows): its
+/// position along x is that in its row.
 struct Anchor {
   std::array<std::int32_t, 3> position{};  ///< On the grid of CompactPaths, modulo 2^32 steps.
   CellIndex cell{};
@@ -32,8 +34,10 @@ struct Anchor {
 /// A sphere's region is a ball around its anchor, a past position of its center. Spheres are in each other's
 /// lists if the shells around their anchors overlap; a shell's radius is the sphere's plus the ball's. When a
 /// sphere reaches the edge of its ball, its anchor moves to its center, and its list and those of its
-/// neighbors are updated. Anchors are found by a cell list. Source: Donev, Torquato and Stillinger, J.
-/// Comput. Phys. 202 (2005) 737, section 3.
+/// neighbors are updated. Anchors are found by a cell list. In a sheared box, where anchors in adjacent rows
+/// slide past each other, lists are longer by what may come near within a certain time, and a sphere's anchor
+/// moves when that has passed, too. Source: Donev, Torquato and Stillinger, J. Comput. Phys. 202 (2005) 737,
+/// section 3.
 class NeighborList : public WithSphereLines<Anchor> {
  public:
   /// The length is the skin, the wanted radius of the ball in which a sphere's center moves; small boxes
@@ -48,6 +52,11 @@ class NeighborList : public WithSphereLines<Anchor> {
 
   /// The edge of the cells in which anchors are found [L]: shells that overlap are in adjacent ones.
   static double cell_edge(double largest_radius, double skin);
+
+  /// By how much rows of cells slide past each other in a sheared box before lists expire, over the skin: so
+  /// much that spheres of this mean peculiar speed [L/T] reach the edges of their balls a few times before.
+  /// Zero without shear.
+  static double slide_of_skin(const Box& box, double largest_radius, double skin, double mean_speed);
 
   void build(const World& world, const Time& now, CompactPaths& copies);
   bool keeps(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
@@ -64,26 +73,14 @@ class NeighborList : public WithSphereLines<Anchor> {
     candidates.refer_to(neighbors_.of(slot));
   }
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const {
-    if (!world.motion().is_straight()) [[unlikely]]
+    if (!world.motion().is_straight() || rows_.are_present()) [[unlikely]]
       return next_crossing_of_any(world, slot, now, copies);
     const CompactPath& path = copies.paths()[slot];
-    const auto& anchor = lines_[slot].region.position;
-    float outwards = 0;
-    float speed_squared = 1e-30F;  // of a sphere at rest the wait is finite, but longer than any copy is good
-    float room = room_squared_;
-    for_each_axis([&](auto axis) {
-      const auto steps =
-          static_cast<std::uint32_t>(path.position[axis]) - static_cast<std::uint32_t>(anchor[axis]);
-      const float position = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
-      outwards += position * path.velocity[axis];
-      speed_squared += path.velocity[axis] * path.velocity[axis];
-      room -= position * position;
-    });
+    const float wait = wait_in_ball(copies, path.position, path.velocity, lines_[slot].region.position);
     // Of a sphere too fast to be bounded, nothing is known.
-    if (!(speed_squared >= 0)) [[unlikely]]
+    if (!(wait >= 0)) [[unlikely]]
       return next_crossing_of_any(world, slot, now, copies);
-    const float root = std::sqrt(outwards * outwards + speed_squared * std::max(room, 0.0F));
-    return rounded_down(now) + copies.time_unit() * static_cast<double>((root - outwards) / speed_squared);
+    return rounded_down(now) + copies.time_unit() * static_cast<double>(wait);
   }
   bool are_candidates(Slot, Slot) const { return true; }
   bool uses_minimum_image() const { return true; }
@@ -93,6 +90,7 @@ class NeighborList : public WithSphereLines<Anchor> {
   void prefetch_region(Slot slot) const {
     prefetch(neighbors_.address(slot));
     prefetch(&lines_[slot]);
+    if (rows_.are_present()) prefetch(&expiries_[slot]);
   }
   void prefetch_lists(Slot slot, bool crosses) const {
     if (!crosses) return;
@@ -108,12 +106,32 @@ class NeighborList : public WithSphereLines<Anchor> {
   void validate(const World& world, const Time& now, const CompactPaths& copies) const;
 
  private:
+  // For how long a straight path stays in the ball around an anchor, in units of the compact paths; NaN if it
+  // is not bounded.
+  float wait_in_ball(const CompactPaths& copies, const std::array<std::int32_t, 3>& center,
+                     const std::array<float, 3>& velocity, const std::array<std::int32_t, 3>& anchor) const {
+    float outwards = 0;
+    float speed_squared = 1e-30F;  // of a sphere at rest the wait is finite, but longer than any copy is good
+    float room = room_squared_;
+    for_each_axis([&](auto axis) {
+      const auto steps = static_cast<std::uint32_t>(center[axis]) - static_cast<std::uint32_t>(anchor[axis]);
+      const float position = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
+      outwards += position * velocity[axis];
+      speed_squared += velocity[axis] * velocity[axis];
+      room -= position * position;
+    });
+    const float root = std::sqrt(outwards * outwards + speed_squared * std::max(room, 0.0F));
+    return (root - outwards) / speed_squared;
+  }
   double next_crossing_of_any(const World& world, Slot slot, const Time& now,
                               const CompactPaths& copies) const;
+  // When a center leaves its ball.
+  double leaves_ball(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
   void choose_packing(const CompactPaths& copies);
   void move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
-  void make_lists(std::uint32_t lines, const CompactPaths& copies);
-  void find_near(Slot slot, const CompactPaths& copies);
+  void make_lists(std::uint32_t lines, const Time& now, const CompactPaths& copies);
+  void make_mutual();
+  void find_near(Slot slot, const Time& now, const CompactPaths& copies);
   void leave_out_far(Slot slot, const CompactPaths& copies);
   bool are_near(Slot a, Slot b, const CompactPaths& copies) const;
   void find_changes(Slot slot);
@@ -130,15 +148,32 @@ class NeighborList : public WithSphereLines<Anchor> {
     std::span<const Slot> slots() const { return {room.data(), count}; }
   };
   std::size_t find_cells_around(const Anchor& anchor, CellsAround& around) const;
-  // Where an anchor lies in its cell, in units of packed positions.
-  std::array<std::int32_t, 3> in_cell(const Anchor& anchor) const;
+  // The row with which a sphere's anchor moves, relative to the sphere's copy, which is in the box.
+  struct RowMotion {
+    std::int32_t displacement;  // along x, on the grid of CompactPaths
+    double speed;               // [L/T]
+  };
+  RowMotion motion_of_row(Slot slot, const Time& now, const CompactPaths& copies) const;
+  // Where a center is as seen from its anchor, and how fast it moves.
+  State relative_to_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
+  // The anchor as seen from the row that is `rows` above its own.
+  Anchor seen_from_row(const Anchor& anchor, std::int32_t rows) const;
+  // Notes how rows will be displaced when lists made now are half as old.
+  void note_step(const Time& now, const CompactPaths& copies);
+  // Where an anchor lies in its cell along an axis, on the grid of CompactPaths.
+  std::int32_t steps_in_cell(const Anchor& anchor, std::size_t axis) const;
+  // The same in units of packed positions.
+  std::int32_t in_cell(const Anchor& anchor, std::size_t axis) const;
   void store_anchor(Slot slot) {
-    points_.insert(table_.list(lines_[slot].region.cell), slot, PackedPosition(in_cell(lines_[slot].region)));
+    const Anchor& anchor = lines_[slot].region;
+    points_.insert(table_.list(anchor.cell), slot,
+                   PackedPosition({in_cell(anchor, 0), in_cell(anchor, 1), in_cell(anchor, 2)}));
   }
 
   // How positions are packed, along an axis.
   struct Packing {
     std::uint64_t steps_of_cell = 0;  // of the grid of CompactPaths, times 2^32
+    double cells_of_step = 0;         // the reciprocal
     std::uint32_t shift = 0;          // a unit is 2^shift of these steps
     std::int32_t units_of_cell = 0;
     // The outermost cells of an open axis hold all spheres beyond.
@@ -153,15 +188,22 @@ class NeighborList : public WithSphereLines<Anchor> {
   double skin_ = 0;
   double largest_built_ = 0;  // the largest radius when lists were made
   float reach_ = 0;           // of shells beyond the radii, in units of the compact paths
+  float reach_of_slide_ = 0;  // likewise, what rows may slide past each other from the middle of duration_ on
   float packing_error_ = 0;   // of distances, likewise
   float room_squared_ = 0;    // likewise, of room_
   double room_ = 0;           // the distance from its anchor at which a center crosses
+  double duration_ = 0;       // of lists where rows slide [T]
+  // Of rows against those below, when the current list will be half as old:
+  std::int32_t step_ = 0;     // on the grid of CompactPaths
+  double step_in_cells_ = 0;  // of the edge of a cell
   Subdivision cells_;
+  SlidingRows rows_;
   std::array<Packing, kAxes> packing_;
   std::array<float, kAxes> packing_unit_{};  // in units of the compact paths
   CellTable table_;
-  PointLists points_;      // anchors, by cell
-  PaddedLists neighbors_;  // by slot
+  PointLists points_;             // anchors, by cell
+  PaddedLists neighbors_;         // by slot
+  LargeVector<double> expiries_;  // by slot, of lists where rows slide [T]
   // Of the current sphere:
   Nearby near_;                      // its new neighbors
   std::vector<Slot> gained_, lost_;  // changes to its list

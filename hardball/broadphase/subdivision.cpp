@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
@@ -74,12 +75,16 @@ std::int32_t Subdivision::index_of(const Axis& cells, double coordinate) {
 
 CellRange Subdivision::range_at(const Vec3& position, double radius) const {
   CellRange range;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const Axis& cells = axes_[axis];
-    range.low[axis] = index_of(cells, position[axis] - reach(axis, radius));
-    range.high[axis] = index_of(cells, position[axis] + reach(axis, radius));
-  }
+  for (std::size_t axis = 0; axis < kAxes; ++axis)
+    std::tie(range.low[axis], range.high[axis]) = range_along(axis, position[axis], radius);
   return range;
+}
+
+std::pair<std::int32_t, std::int32_t> Subdivision::range_along(std::size_t axis, double coordinate,
+                                                               double radius) const {
+  const Axis& cells = axes_[axis];
+  return {index_of(cells, coordinate - reach(axis, radius)),
+          index_of(cells, coordinate + reach(axis, radius))};
 }
 
 std::int32_t Subdivision::folded_from_beyond(const Axis& cells, std::int32_t index) {

@@ -88,6 +88,8 @@ class Subdivision {
   /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many
   /// times.
   CellRange range_at(const Vec3& position, double radius) const;
+  /// The first and the last of them along an axis. Error: likewise.
+  std::pair<std::int32_t, std::int32_t> range_along(std::size_t axis, double coordinate, double radius) const;
   /// The distance from its center within which a sphere touches cells, along an axis [L].
   double reach(std::size_t axis, double radius) const { return radius + axes_[axis].margin; }
   /// The most cells that a sphere of this radius touches along an axis.

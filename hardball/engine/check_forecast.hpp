@@ -42,9 +42,6 @@ bool is_found_in_time(const Forecast& forecast, Slot slot, const Event& contact,
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates.slot(i) == other) return false;
   }
-  for (const Slot across : candidates.across()) {
-    if (across == other) return false;
-  }
   return forecast.plan(slot).crossing() <= contact.time.high;
 }
 
@@ -65,8 +62,6 @@ void validate(const Forecast& forecast) {
     };
     for (std::size_t i = 0; i < candidates.size(); ++i)
       check(contact_with(world, candidates, i, forecast.now()), candidates.slot(i));
-    for (const Slot other : candidates.across())
-      check(contact_across(world, slot, other, forecast.now()), other);
     for (const PairLevel& pair : world.pair_levels().of(slot)) {
       const Image image = nearest_image(world, slot, pair.partner, forecast.now());
       const Event event = make_collision(next_pair_event(world, slot, pair, image).time, world.id(slot),

@@ -10,7 +10,6 @@
 
 #include "hardball/bounds/compact_paths.hpp"
 #include "hardball/broadphase/broad_phase.hpp"
-#include "hardball/engine/across_filter.hpp"
 #include "hardball/engine/bound_watch.hpp"
 #include "hardball/engine/check_forecast.hpp"
 #include "hardball/engine/predictor.hpp"
@@ -130,8 +129,6 @@ class Forecast {
       } else if (!predict_new(slot)) {
         return predict(slot);
       }
-      if (!candidates_.across().empty()) [[unlikely]]
-        plan_across(candidates_);
     }
     plan_crossing(slot);
   }
@@ -270,9 +267,7 @@ class Forecast {
   }
 
   void exclude(Candidates& candidates) const;
-  void plan_special_pairs(const Candidates& candidates);
   void plan_pairs(Slot slot);
-  void plan_across(const Candidates& candidates);
   void plan_if_first(Slot slot, const Event& event, Slot partner);
   PairLevel first_in_order(Slot slot) const;
   void note_exclusions();
@@ -327,8 +322,8 @@ class Forecast {
         own.lower_safe_until(wall.time.high);
       }
     }
-    if (has_special_pairs_) [[unlikely]]
-      plan_special_pairs(candidates);
+    if (has_steps_) [[unlikely]]
+      plan_pairs(slot);
     plan_crossing(slot);
   }
 
@@ -342,8 +337,8 @@ class Forecast {
       if (wall.happens() && wall.time < plan(slot).contact_time())
         mutable_plan(slot).set_wall(wall.time, wall.second);
     }
-    if (has_special_pairs_) [[unlikely]]
-      plan_special_pairs(candidates_);
+    if (has_steps_) [[unlikely]]
+      plan_pairs(slot);
     plan_crossing(slot);
   }
 
@@ -365,6 +360,7 @@ class Forecast {
 
   // The copy of a sphere at rest stays good, unless it falls.
   HARDBALL_NEVER_INLINE void expire_soon(Slot slot) {
+    if (compact_.is_good_for(slot, plan(slot).crossing() - rounded_down(now_))) return;
     const double expiry = rounded_down(now_) + compact_.longest_age(slot);
     if (!(expiry < plan(slot).crossing())) return;
     // In a sheared box it may be the cells that move.
@@ -406,7 +402,6 @@ class Forecast {
   bool has_passing_pairs_ = false;
   bool has_steps_ = false;              // of potentials
   bool has_excluded_ = false;           // some candidates must be left out: one of the two above
-  bool has_special_pairs_ = false;      // that bounds do not know: inside of steps, or across a sheared face
   Candidates candidates_;               // of the current sphere
   Candidates candidates_of_partner_;    // of the sphere that it meets
   PairContacts pairs_;                  // of the current bucket

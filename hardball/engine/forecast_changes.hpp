@@ -78,7 +78,6 @@ void Forecast<Phase>::note_exclusions() {
   has_passing_pairs_ = world_.has_passing_pairs();
   has_steps_ = world_.has_steps();
   has_excluded_ = has_passing_pairs_ || has_steps_;
-  has_special_pairs_ = has_steps_ || world_.box().is_sheared();
 }
 
 // Leaves out the candidates that a sphere is passing through, or has just begun to, and those that are inside
@@ -104,16 +103,6 @@ HARDBALL_NEVER_INLINE void Forecast<Phase>::exclude(Candidates& candidates) cons
         candidates.uses_minimum_image() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
     return !are_passing(world_, slot, other, image);
   });
-  candidates.keep_across_if([&](Slot other) {
-    return !world_.pass(slot, other) ||
-           !are_passing(world_, slot, other, nearest_image(world_, slot, other, now_));
-  });
-}
-
-template <BroadPhase Phase>
-HARDBALL_NEVER_INLINE void Forecast<Phase>::plan_special_pairs(const Candidates& candidates) {
-  if (has_steps_) plan_pairs(candidates.self());
-  if (!candidates.across().empty()) plan_across(candidates);
 }
 
 // Plans a contact of a sphere whose time is known, unless it comes after a contact that is planned.
@@ -123,27 +112,6 @@ void Forecast<Phase>::plan_if_first(Slot slot, const Event& event, Slot partner)
   if (!own.is_bound() && contact_of(slot) < event) return;
   own.set_collision(event.time, partner, compact_.revision(partner));
   if (!uses_minimum_image_) images_[slot] = id(slot) < id(partner) ? event.image : -event.image;
-}
-
-// Plans the first contact of a sphere with those that it may meet across a face of a sheared box.
-template <BroadPhase Phase>
-HARDBALL_NEVER_INLINE void Forecast<Phase>::plan_across(const Candidates& candidates) {
-  const Slot slot = candidates.self();
-  counters_.predictions += candidates.across().size();
-  Event first;
-  Slot partner = slot;
-  const AcrossFilter may_meet(world_, slot, now_);
-  for (const Slot other : candidates.across()) {
-    if (!may_meet(other)) continue;
-    const Event contact = contact_across(world_, slot, other, now_);
-    if (!(contact < first)) continue;
-    first = contact;
-    partner = other;
-  }
-  if (!first.happens()) return;
-  Plan& own = mutable_plan(slot);
-  if (own.is_bound() && own.contact() <= first.time.high) return own.lower_safe_until(first.time.high);
-  plan_if_first(slot, first, partner);
 }
 
 // Plans the next event of a sphere with those that are inside of a step with it, if it comes before what is

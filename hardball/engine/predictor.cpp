@@ -16,11 +16,6 @@ Event contact_with(const World& world, const Candidates& candidates, std::size_t
   return make_collision(contact_time(world, self, other, image), world.id(self), world.id(other), image);
 }
 
-Event contact_across(const World& world, Slot slot, Slot other, const Time& now) {
-  const Image image = nearest_image(world, slot, other, now);
-  return make_collision(contact_time(world, slot, other, image), world.id(slot), world.id(other), image);
-}
-
 Predictor::Predictor(InstructionSet instructions) : kernels_(&kernels_of(instructions)) {}
 
 void Predictor::compute(const World& world, const Time& now, PairContacts& pairs) const {
@@ -51,12 +46,14 @@ void Predictor::compute(const World& world, const Time& now, PairContacts& pairs
       .now_low = now.low,
       .gravity = gravity_of(world),
       .growth = growth_of(world),
+      .images = sliding_images_of(world),
   };
   kernels_->contacts_of_pairs(query, pairs.high.data(), pairs.low.data());
 }
 
 BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Candidates& candidates,
-                                           double base) const {
+                                           const Time& now) const {
+  const double base = rounded_down(now);
   const Slot self = candidates.self();
   const bool is_bounded = copies.is_bounded(self);
   BoundedContacts found;
@@ -70,19 +67,19 @@ BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Can
     }
   };
   for (std::size_t begin = 0; begin < candidates.size(); begin += BoundKeys::kMax) {
-    const Slot* const others = candidates.slots() + begin;
-    const std::size_t count = std::min(candidates.size() - begin, BoundKeys::kMax);
+    BoundQuery query = query_of(copies, candidates, base, copies.slide_at(now));
+    query.others += begin;
+    query.count = std::min(candidates.size() - begin, BoundKeys::kMax);
     if (!is_bounded) {
-      for (std::size_t i = 0; i < count; ++i) note(base, others[i]);
+      for (std::size_t i = 0; i < query.count; ++i) note(base, query.others[i]);
       continue;
     }
-    const BoundKeys keys = kernels_->bound_contacts(
-        copies.scale(), copies.paths().data(), copies.radii_for_bounds(),
-        {.self = self, .others = others, .count = count, .size = copies.size_at(base)});
+    const BoundKeys keys =
+        kernels_->bound_contacts(copies.scale(), copies.paths().data(), copies.radii_for_bounds(), query);
     for (const std::uint32_t key : {keys.first, keys.second}) {
       if (!BoundKeys::touches(key)) break;
       note(base + copies.time_unit() * static_cast<double>(BoundKeys::wait(key)),
-           others[BoundKeys::index(key)]);
+           query.others[BoundKeys::index(key)]);
     }
   }
   return found;

@@ -71,11 +71,13 @@ inline const Growth* growth_of(const World& world) {
   return world.motion().has_growth() ? &world.motion().growth() : nullptr;
 }
 
+/// The same of images that slide: null if they rest.
+inline const SlidingImages* sliding_images_of(const World& world) {
+  return world.box().is_sheared() ? &world.box().images() : nullptr;
+}
+
 /// The contact of a sphere with one of its candidates, collected at `now`.
 Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now);
-
-/// The contact of two spheres of a sheared box whose images nearest at `now` are meant.
-Event contact_across(const World& world, Slot slot, Slot other, const Time& now);
 
 /// Computes contact times of many pairs at a time. The result is bit for bit that of contact_time for each
 /// pair and of the order of events among them, whatever the instruction set.
@@ -109,6 +111,7 @@ class Predictor {
         .now_low = now.low,
         .gravity = gravity_of(world),
         .growth = growth_of(world),
+        .images = sliding_images_of(world),
     };
     const EarliestContact found = kernels_->earliest_contact(query);
     if (!(found.high < kNever.high)) return {};
@@ -146,11 +149,12 @@ class Predictor {
   /// images, and the sphere has been copied at `now`.
   HARDBALL_ALWAYS_INLINE BoundedContacts bound(const CompactPaths& copies, const Candidates& candidates,
                                                const Time& now) const {
-    const double base = rounded_down(now);
     if (!is_usual(copies, candidates)) [[unlikely]]
-      return bound_with_care(copies, candidates, base);
-    const BoundKeys keys = kernels_->bound_contacts(
-        copies.scale(), copies.paths().data(), copies.radii_for_bounds(), query_of(copies, candidates, base));
+      return bound_with_care(copies, candidates, now);
+    const double base = rounded_down(now);
+    const BoundKeys keys =
+        kernels_->bound_contacts(copies.scale(), copies.paths().data(), copies.radii_for_bounds(),
+                                 query_of(copies, candidates, base, copies.slide_at(now)));
     return contacts_of(keys, copies, candidates, base);
   }
 
@@ -161,9 +165,10 @@ class Predictor {
     if (!is_usual(copies, one) || !is_usual(copies, other)) [[unlikely]]
       return {bound(copies, one, now), bound(copies, other, now)};
     const double base = rounded_down(now);
-    const std::array<BoundKeys, 2> keys =
-        kernels_->bound_contacts_of_two(copies.scale(), copies.paths().data(), copies.radii_for_bounds(),
-                                        query_of(copies, one, base), query_of(copies, other, base));
+    const std::int32_t slide = copies.slide_at(now);
+    const std::array<BoundKeys, 2> keys = kernels_->bound_contacts_of_two(
+        copies.scale(), copies.paths().data(), copies.radii_for_bounds(), query_of(copies, one, base, slide),
+        query_of(copies, other, base, slide));
     return {contacts_of(keys[0], copies, one, base), contacts_of(keys[1], copies, other, base)};
   }
 
@@ -174,11 +179,13 @@ class Predictor {
   static bool is_usual(const CompactPaths& copies, const Candidates& candidates) {
     return copies.is_bounded(candidates.self()) && candidates.size() <= BoundKeys::kMax;
   }
-  static BoundQuery query_of(const CompactPaths& copies, const Candidates& candidates, double base) {
+  HARDBALL_ALWAYS_INLINE static BoundQuery query_of(const CompactPaths& copies, const Candidates& candidates,
+                                                    double base, std::int32_t slide) {
     return {.self = candidates.self(),
             .others = candidates.slots(),
             .count = candidates.size(),
-            .size = copies.size_at(base)};
+            .size = copies.size_at(base),
+            .slide = slide};
   }
   static BoundedContacts contacts_of(const BoundKeys& keys, const CompactPaths& copies,
                                      const Candidates& candidates, double base) {
@@ -191,7 +198,7 @@ class Predictor {
 
   // The same for a sphere too fast to be bounded, and for many candidates.
   BoundedContacts bound_with_care(const CompactPaths& copies, const Candidates& candidates,
-                                  double base) const;
+                                  const Time& now) const;
 
   // The earliest contact, pair by pair, by the order of events.
   static PredictedContact earliest_in_order(const World& world, const Candidates& candidates,

@@ -9,6 +9,7 @@
 #include "hardball/geometry/grazing_time.hpp"
 #include "hardball/geometry/growing_contact.hpp"
 #include "hardball/geometry/motion.hpp"
+#include "hardball/geometry/sliding_images.hpp"
 
 namespace hardball {
 
@@ -112,7 +113,19 @@ HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time(const GrowingMotion<Number>& 
                                                  reach * motion.scale_at(start), reach * motion.rate}));
 }
 
-/// The same, compiled once.
+/// The same in a sheared box with these periods [L]: `image`, integers, is that of `b` which `a` meets.
+template <class Number>
+HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time_of_sliding(
+    const SlidingImages& images, const VectorOf<Number>& period, const PathOf<Number>& a,
+    const PathOf<Number>& b, const VectorOf<Number>& image, const std::type_identity_t<Number>& reach) {
+  const TimeOf<Number> start = later(a.time, b.time);
+  const VectorOf<Number> shift{images.shift(image.x, image.y, start), image.y * period.y, image.z * period.z};
+  StateOf<Number> relative = relative_state_at(StraightMotion{}, a, b, shift, start);
+  relative.velocity.x = relative.velocity.x + image.y * Number(images.speed());
+  return after(start, time_to_reach(relative.position, relative.velocity, reach));
+}
+
+/// The same where sizes change, compiled once.
 HARDBALL_EXPORT Time contact_time_of_growing(const Growth& growth, const Path& a, const Path& b,
                                              const Vec3& shift, double reach);
 

@@ -25,6 +25,8 @@ struct BoundScale {
   float growth = 0;       ///< kappa_s: of radii, relative to the largest of the epoch; not negative [1/T].
   float speed_error = 0;  ///< g: of a relative velocity [L/T].
   std::array<float, 3> gravity{};  ///< [L/T^2]
+  bool has_shear = false;          ///< Whether images above and below slide along x.
+  float slide_speed = 0;           ///< The velocity along x of the image above [L/T].
   float reach_allowance = 0;       ///< Added to the sum of two radii: error of a separation [L].
   float square_allowance = 0;      ///< Subtracted from a squared distance [L^2].
   float approach_allowance = 0;    ///< k_b: subtracted from separation times velocity [L^2/T].
@@ -57,8 +59,9 @@ struct BoundKeys {
 struct BoundQuery {
   std::uint32_t self;
   const std::uint32_t* others;
-  std::size_t count;  ///< At most BoundKeys::kMax.
-  float size = 1;     ///< Of radii, relative to the largest of the epoch, rounded up [1].
+  std::size_t count;       ///< At most BoundKeys::kMax.
+  float size = 1;          ///< Of radii, relative to the largest of the epoch, rounded up [1].
+  std::int32_t slide = 0;  ///< Of the image above along x, modulo 2^32 steps of the grid.
 };
 
 /// Bounds the waits of a sphere, from the moment at which its path was copied, until it touches others. Paths

@@ -43,7 +43,7 @@ struct BoundedSphere {
 };
 
 /// What bounds depend on besides straight paths.
-enum class BoundedMotion { straight, falling, growing };
+enum class BoundedMotion { straight, falling, growing, sheared };
 
 /// Of the quadratic whose first zero is a bound; see docs/bounds.md.
 template <class Floats>
@@ -53,18 +53,50 @@ struct Coefficients {
   Floats excess;
 };
 
+/// How the nearest image of each candidate is displaced along x in a sheared box, and how fast it moves.
+/// Heights are from 0 to 2^32: where their difference and the way to the nearest image have different signs,
+/// that is above or below.
+template <class Floats>
+struct Slides {
+  using Integers = typename Floats::Integers;
+
+  Slides(const BoundScale& scale, std::int32_t slide, const Integers& own, const Integers& other) {
+    const Integers middle(std::int32_t{1}
+                          << 31);  // shifts heights to where their order is that of numbers with a sign
+    const Integers zero(0U);
+    const auto is_ahead = other - own < zero;
+    const auto is_lower = other + middle < own + middle;
+    const auto is_above = is_lower && !is_ahead;
+    const auto is_below = is_ahead && own + middle < other + middle;
+    steps = select(is_above, Integers(slide), select(is_below, zero - Integers(slide), zero));
+    const Floats speed(scale.slide_speed);
+    const Floats rest(0.0F);
+    velocity = select(is_above, speed, select(is_below, rest - speed, rest));
+  }
+
+  Integers steps;
+  Floats velocity;
+};
+
 /// Lower bounds of the waits for Floats::kWidth candidates, as bits with room for their indices; infinite for
 /// those that will not touch, and for the sphere itself. Source: docs/bounds.md, in the order of its steps.
 template <BoundedMotion kind, class Floats>
 HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& scale,
                                                              const CompactPath* paths, const float* radii,
                                                              const BoundedSphere<Floats>& own,
-                                                             const std::uint32_t* others, float size) {
+                                                             const BoundQuery& query,
+                                                             const std::uint32_t* others) {
   constexpr bool has_gravity = kind == BoundedMotion::falling;
   using Integers = typename Floats::Integers;
   const Floats zero(0.0F);
   CompactPathsOfLanes<Floats> other;
   Floats::load(paths, others, other);
+  [[maybe_unused]] Floats slide_velocity;
+  if constexpr (kind == BoundedMotion::sheared) {
+    const Slides<Floats> slides(scale, query.slide, own.y, other.y);
+    other.x = other.x + slides.steps;
+    slide_velocity = slides.velocity;
+  }
 
   // Differences of positions are taken modulo 2^32, and so lead to the nearest image.
   const Floats age = to_floats(own.tick - other.tick) * Floats(scale.tick);
@@ -80,9 +112,10 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
   const VectorOf<Floats> r{apart(other.x - own.x, other.velocity.x, 0),
                            apart(other.y - own.y, other.velocity.y, 1),
                            apart(other.z - own.z, other.velocity.z, 2)};
-  const VectorOf<Floats> v{at_age(other.velocity.x, age, 0) - own.velocity.x,
-                           at_age(other.velocity.y, age, 1) - own.velocity.y,
-                           at_age(other.velocity.z, age, 2) - own.velocity.z};
+  VectorOf<Floats> v{at_age(other.velocity.x, age, 0) - own.velocity.x,
+                     at_age(other.velocity.y, age, 1) - own.velocity.y,
+                     at_age(other.velocity.z, age, 2) - own.velocity.z};
+  if constexpr (kind == BoundedMotion::sheared) v.x = v.x + slide_velocity;
   const auto dot_plus = [](const VectorOf<Floats>& a, const VectorOf<Floats>& b, const Floats& addend) {
     return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply_add(a.z, b.z, addend)));
   };
@@ -98,7 +131,7 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
   if constexpr (kind == BoundedMotion::growing) {
     // From the sizes at the moment of the copy on, at the greatest rate.
     const Floats growth = reach * Floats(scale.growth);
-    reach = multiply_add(reach, Floats(size), Floats(scale.reach_allowance));
+    reach = multiply_add(reach, Floats(query.size), Floats(scale.reach_allowance));
     constexpr float kRoundedUp = 1 + 0x1p-20F;
     constexpr float kRoundedDown = 1 - 0x1p-20F;
     p.approach = dot_plus(r, v, zero - multiply_add(reach, growth, Floats(scale.approach_allowance)));
@@ -147,12 +180,12 @@ HARDBALL_ALWAYS_INLINE void find_keys(const BoundScale& scale, const CompactPath
   const BoundedSphere<Floats> own(scale, paths[query.self], radii, query.self);
   Integers indices = Integers::ascending();
   if constexpr (is_single) {
-    keys.least = bound_waits<kind>(scale, paths, radii, own, query.others, query.size) | indices;
+    keys.least = bound_waits<kind>(scale, paths, radii, own, query, query.others) | indices;
     return;
   }
   keys.least = Integers(BoundKeys::kForever);
   for (std::size_t i = 0; i < query.count; i += Floats::kWidth) {
-    const Integers key = bound_waits<kind>(scale, paths, radii, own, query.others + i, query.size) | indices;
+    const Integers key = bound_waits<kind>(scale, paths, radii, own, query, query.others + i) | indices;
     indices = indices + Integers(static_cast<std::uint32_t>(Floats::kWidth));
     key.store(keys.all + i);
     keys.least = minimum(keys.least, key);
@@ -227,6 +260,7 @@ BoundKeys bound_contacts(const BoundScale& scale, const CompactPath* paths, cons
   using enum BoundedMotion;
   if (scale.has_growth) return bound_contacts_moving<Floats, growing>(scale, paths, radii, query);
   if (scale.has_gravity) return bound_contacts_moving<Floats, falling>(scale, paths, radii, query);
+  if (scale.has_shear) return bound_contacts_moving<Floats, sheared>(scale, paths, radii, query);
   return bound_contacts_moving<Floats, straight>(scale, paths, radii, query);
 }
 
@@ -246,6 +280,7 @@ std::array<BoundKeys, 2> bound_contacts_of_two(const BoundScale& scale, const Co
   if (scale.has_growth) return bound_contacts_of_two_moving<Floats, growing>(scale, paths, radii, one, other);
   if (scale.has_gravity)
     return bound_contacts_of_two_moving<Floats, falling>(scale, paths, radii, one, other);
+  if (scale.has_shear) return bound_contacts_of_two_moving<Floats, sheared>(scale, paths, radii, one, other);
   return bound_contacts_of_two_moving<Floats, straight>(scale, paths, radii, one, other);
 }
 

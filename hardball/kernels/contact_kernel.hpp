@@ -7,6 +7,7 @@
 
 #include "hardball/geometry/growth.hpp"
 #include "hardball/geometry/path.hpp"
+#include "hardball/geometry/sliding_images.hpp"
 
 namespace hardball {
 
@@ -18,14 +19,15 @@ struct ContactQuery {
   std::uint32_t self;           ///< Its slot.
   const std::uint32_t* others;  ///< Slots of the candidates, padded with the sphere itself.
   std::size_t count;            ///< Of the candidates.
-  const double* const*
-      shifts;          ///< Displacement of each candidate's image along each axis [L]; null for the nearest.
-  const Vec3* period;  ///< Of the box [L]; zero along axes that are not periodic.
-  const Vec3* inverse_period;  ///< Zero along axes that are not periodic.
-  double now_high;             ///< When images are the nearest; any time if they are given.
+  const double* const* shifts;  ///< Displacement of each candidate's image along each axis [L]; null for the
+                                ///< nearest, which is the only choice in a sheared box.
+  const Vec3* period;           ///< Of the box [L]; zero along axes that are not periodic.
+  const Vec3* inverse_period;   ///< Zero along axes that are not periodic.
+  double now_high;              ///< When images are the nearest; any time if they are given.
   double now_low;
-  const Vec3* gravity;   ///< Of all spheres [L/T^2]; null if paths are straight.
-  const Growth* growth;  ///< Of all spheres; null if radii are base radii.
+  const Vec3* gravity;          ///< Of all spheres [L/T^2]; null if paths are straight.
+  const Growth* growth;         ///< Of all spheres; null if radii are base radii.
+  const SlidingImages* images;  ///< Of a sheared box; null if images rest.
 };
 
 /// The earliest contact of a sphere with its candidates.
@@ -48,8 +50,9 @@ struct PairQuery {
   const Vec3* inverse_period;   ///< Zero along axes that are not periodic.
   double now_high;              ///< When images are the nearest.
   double now_low;
-  const Vec3* gravity;   ///< Of all spheres [L/T^2]; null if paths are straight.
-  const Growth* growth;  ///< Of all spheres; null if radii are base radii.
+  const Vec3* gravity;          ///< Of all spheres [L/T^2]; null if paths are straight.
+  const Growth* growth;         ///< Of all spheres; null if radii are base radii.
+  const SlidingImages* images;  ///< Of a sheared box; null if images rest.
 };
 
 /// One sphere and those that are inside of a step of a potential with it, as plain arrays.

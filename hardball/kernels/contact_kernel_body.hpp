@@ -53,29 +53,73 @@ class NearestShifts {
   AnyMotion motion_;
 };
 
-/// The kernel for pairs, for one kind of motion.
+/// Contact times of nearest images when a query says.
 template <class Lanes, class AnyMotion>
-void contacts_of_moving_pairs(const PairQuery& query, const AnyMotion& motion, double* high, double* low) {
-  const NearestShifts<Lanes, AnyMotion> shift(query, motion);
-  for (std::size_t i = 0; i < query.count; i += Lanes::kWidth) {
-    PathOf<Lanes> a;
-    PathOf<Lanes> b;
-    Lanes::load(query.paths, query.first + i, a);
-    Lanes::load(query.paths, query.second + i, b);
-    const Lanes reach = query.radii == nullptr ? Lanes(query.radius + query.radius)
-                                               : Lanes::gather(query.radii, query.first + i) +
-                                                     Lanes::gather(query.radii, query.second + i);
-    const TimeOf<Lanes> contact = contact_time(motion, a, b, shift(a, b), reach);
-    contact.high.store(high + i);
-    contact.low.store(low + i);
+class NearestContacts {
+ public:
+  NearestContacts(const auto& query, const AnyMotion& motion) : shift_(query, motion), motion_(motion) {}
+
+  HARDBALL_ALWAYS_INLINE TimeOf<Lanes> operator()(const PathOf<Lanes>& a, const PathOf<Lanes>& b,
+                                                  const Lanes& reach) const {
+    return contact_time(motion_, a, b, shift_(a, b), reach);
   }
+
+ private:
+  NearestShifts<Lanes, AnyMotion> shift_;
+  AnyMotion motion_;
+};
+
+/// The same in a sheared box.
+template <class Lanes>
+class NearestSlidingContacts {
+ public:
+  explicit NearestSlidingContacts(const auto& query)
+      : images_(*query.images),
+        period_(in_all_lanes<Lanes>(*query.period)),
+        inverse_period_(in_all_lanes<Lanes>(*query.inverse_period)),
+        now_(Lanes(query.now_high), Lanes(query.now_low)) {}
+
+  HARDBALL_ALWAYS_INLINE TimeOf<Lanes> operator()(const PathOf<Lanes>& a, const PathOf<Lanes>& b,
+                                                  const Lanes& reach) const {
+    const StraightMotion motion;
+    const VectorOf<Lanes> apart = motion.state_at(a, now_).position - motion.state_at(b, now_).position;
+    VectorOf<Lanes> image = nearest_boxes(apart, inverse_period_);
+    image.x = round_to_integer(images_.beyond(apart.x, image.y, now_) * inverse_period_.x);
+    return contact_time_of_sliding(images_, period_, a, b, image, reach);
+  }
+
+ private:
+  SlidingImages images_;
+  VectorOf<Lanes> period_, inverse_period_;
+  TimeOf<Lanes> now_;
+};
+
+/// Calls `compute` with the contact times of nearest images that a query means.
+template <class Lanes, class Compute>
+HARDBALL_ALWAYS_INLINE auto for_nearest(const auto& query, const Compute& compute) {
+  if (query.images != nullptr) return compute(NearestSlidingContacts<Lanes>(query));
+  return for_motion<Lanes>(query, [&]<class AnyMotion>(const AnyMotion& motion) {
+    return compute(NearestContacts<Lanes, AnyMotion>(query, motion));
+  });
 }
 
 /// The kernel for pairs.
 template <class Lanes>
 void contacts_of_pairs(const PairQuery& query, double* high, double* low) {
-  for_motion<Lanes>(query,
-                    [&](const auto& motion) { contacts_of_moving_pairs<Lanes>(query, motion, high, low); });
+  for_nearest<Lanes>(query, [&](const auto& contact_of) {
+    for (std::size_t i = 0; i < query.count; i += Lanes::kWidth) {
+      PathOf<Lanes> a;
+      PathOf<Lanes> b;
+      Lanes::load(query.paths, query.first + i, a);
+      Lanes::load(query.paths, query.second + i, b);
+      const Lanes reach = query.radii == nullptr ? Lanes(query.radius + query.radius)
+                                                 : Lanes::gather(query.radii, query.first + i) +
+                                                       Lanes::gather(query.radii, query.second + i);
+      const TimeOf<Lanes> contact = contact_of(a, b, reach);
+      contact.high.store(high + i);
+      contact.low.store(low + i);
+    }
+  });
 }
 
 /// The largest number of candidates in one batch.
@@ -127,27 +171,6 @@ EarliestContact earliest_of_all(const Query& query, const TimeWith& time) {
   return result;
 }
 
-/// The kernel for all kinds of query, for one kind of motion.
-template <class Lanes, class AnyMotion>
-EarliestContact earliest_contact_of_moving(const ContactQuery& query, const AnyMotion& motion) {
-  using Paths = PathOf<Lanes>;
-  const auto reach_of = [&](std::size_t i) {
-    return query.radii == nullptr ? Lanes(query.radius + query.radius)
-                                  : Lanes(query.radius) + Lanes::gather(query.radii, query.others + i);
-  };
-  if (query.shifts == nullptr) {
-    const NearestShifts<Lanes, AnyMotion> nearest(query, motion);
-    return earliest_of_all<Lanes>(query, [&](std::size_t i, const Paths& self, const Paths& other) {
-      return contact_time(motion, self, other, nearest(self, other), reach_of(i));
-    });
-  }
-  return earliest_of_all<Lanes>(query, [&](std::size_t i, const Paths& self, const Paths& other) {
-    const VectorOf<Lanes> shift{Lanes::load(query.shifts[0] + i), Lanes::load(query.shifts[1] + i),
-                                Lanes::load(query.shifts[2] + i)};
-    return contact_time(motion, self, other, shift, reach_of(i));
-  });
-}
-
 /// The kernel for steps.
 template <class Lanes>
 EarliestContact earliest_step(const StepQuery& query) {
@@ -163,8 +186,25 @@ EarliestContact earliest_step(const StepQuery& query) {
 /// The kernel for all kinds of query.
 template <class Lanes>
 EarliestContact earliest_contact(const ContactQuery& query) {
-  return for_motion<Lanes>(
-      query, [&](const auto& motion) { return earliest_contact_of_moving<Lanes>(query, motion); });
+  using Paths = PathOf<Lanes>;
+  const auto reach_of = [&](std::size_t i) {
+    return query.radii == nullptr ? Lanes(query.radius + query.radius)
+                                  : Lanes(query.radius) + Lanes::gather(query.radii, query.others + i);
+  };
+  if (query.shifts == nullptr) {
+    return for_nearest<Lanes>(query, [&](const auto& contact_of) {
+      return earliest_of_all<Lanes>(query, [&](std::size_t i, const Paths& self, const Paths& other) {
+        return contact_of(self, other, reach_of(i));
+      });
+    });
+  }
+  return for_motion<Lanes>(query, [&](const auto& motion) {
+    return earliest_of_all<Lanes>(query, [&](std::size_t i, const Paths& self, const Paths& other) {
+      const VectorOf<Lanes> shift{Lanes::load(query.shifts[0] + i), Lanes::load(query.shifts[1] + i),
+                                  Lanes::load(query.shifts[2] + i)};
+      return contact_time(motion, self, other, shift, reach_of(i));
+    });
+  });
 }
 
 }  // namespace hardball

@@ -147,6 +147,10 @@ Floats multiply_add(const Floats& a, const Floats& b, const Floats& c) {
 Floats::Mask operator<(const Floats& a, const Floats& b) {
   return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)};
 }
+// Of numbers with a sign.
+Floats::Mask operator<(const Floats::Integers& a, const Floats::Integers& b) {
+  return {_mm256_castsi256_ps(_mm256_cmpgt_epi32(b.v, a.v))};
+}
 Floats::Mask operator>=(const Floats& a, const Floats& b) {
   return {_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)};
 }

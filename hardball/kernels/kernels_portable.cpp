@@ -188,6 +188,10 @@ Floats multiply_add(const Floats& a, const Floats& b, const Floats& c) {
 Floats::Mask operator<(const Floats& a, const Floats& b) {
   return {a.v < b.v};
 }
+// Of numbers with a sign.
+Floats::Mask operator<(const Floats::Integers& a, const Floats::Integers& b) {
+  return {reinterpret_cast<const Floats::Bits&>(a.v) < reinterpret_cast<const Floats::Bits&>(b.v)};
+}
 Floats::Mask operator>=(const Floats& a, const Floats& b) {
   return {a.v >= b.v};
 }

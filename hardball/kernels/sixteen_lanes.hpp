@@ -132,6 +132,10 @@ Floats multiply_add(const Floats& a, const Floats& b, const Floats& c) {
 Floats::Mask operator<(const Floats& a, const Floats& b) {
   return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)};
 }
+// Of numbers with a sign.
+Floats::Mask operator<(const Floats::Integers& a, const Floats::Integers& b) {
+  return {_mm512_cmplt_epi32_mask(a.v, b.v)};
+}
 Floats::Mask operator>=(const Floats& a, const Floats& b) {
   return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_GE_OQ)};
 }

@@ -27,14 +27,20 @@ NeighborCounts expected_neighbor_counts(const GasStatistics& statistics, double 
   // factor is measured: docs/theory.md.
   const double diffusion = statistics.is_flat() ? 0.3 : 0.2;
   counts.rebuild = statistics.mean_speed / (skin * (1 + diffusion * skin / path));
+  // In a sheared box lists are longer, and expire.
+  const double largest_radius = statistics.region_scale * statistics.largest_radius;
+  const double edge = NeighborList::cell_edge(largest_radius, skin);
+  const double slide =
+      NeighborList::slide_of_skin(statistics.box, largest_radius, skin, statistics.mean_speed) * skin;
+  if (slide > 0) counts.rebuild += std::fabs(statistics.box.shear().rate) * edge / slide;
+  const double reach = skin + slide / 4;
   counts.is_far = statistics.spheres > kVeryManySpheres;
-  const double searched_edge =
-      3 * NeighborList::cell_edge(statistics.region_scale * statistics.largest_radius, skin);
-  // The mean of (sum of two radii + 2 skin) cubed, or in two dimensions squared.
+  const double searched_edge = 3 * (edge + slide / 2);
+  // The mean of (sum of two radii + 2 reach) cubed, or in two dimensions squared.
   const double sum = 2 * m[1];
   const double sum_squared = 2 * m[2] + 2 * m[1] * m[1];
   if (statistics.is_flat()) {
-    const double squared = sum_squared + 4 * skin * sum + 4 * skin * skin;
+    const double squared = sum_squared + 4 * reach * sum + 4 * reach * reach;
     counts.neighbors = std::max(1.0, std::numbers::pi * density * squared + excess_about_sphere(statistics));
     counts.searched = density * searched_edge * searched_edge;
     counts.rows = 3;
@@ -42,7 +48,8 @@ NeighborCounts expected_neighbor_counts(const GasStatistics& statistics, double 
     return counts;
   }
   const double sum_cubed = 2 * m[3] + 6 * m[1] * m[2];
-  const double cubed = sum_cubed + 6 * skin * sum_squared + 12 * skin * skin * sum + 8 * skin * skin * skin;
+  const double cubed =
+      sum_cubed + 6 * reach * sum_squared + 12 * reach * reach * sum + 8 * reach * reach * reach;
   counts.neighbors =
       std::max(1.0, 4 * std::numbers::pi / 3 * density * cubed + excess_about_sphere(statistics));
   counts.searched = density * std::pow(searched_edge, 3);

@@ -99,12 +99,12 @@ Image Box::count_boxes_beyond(Vec3 position) const {
 Image Box::count_sheared_boxes_beyond(Vec3 position, const Time& moment) const {
   const Vec3 above{size_.x / 2, position.y, position.z};
   Image beyond = count_boxes_beyond(above);
+  if (beyond[1] == 0) return count_boxes_beyond(position);
   beyond[0] = boxes_along(position.x, beyond[1], moment, [](double boxes) { return std::floor(boxes); });
   return beyond;
 }
 
-Image Box::nearest_sheared_image(Vec3 apart, const Time& moment) const {
-  Image nearest = nearest_image({0, apart.y, apart.z});
+Image Box::nearest_sliding_image(const Vec3& apart, Image nearest, const Time& moment) const {
   nearest[0] = boxes_along(apart.x, nearest[1], moment, round_to_integer<double>);
   return nearest;
 }
@@ -112,9 +112,7 @@ Image Box::nearest_sheared_image(Vec3 apart, const Time& moment) const {
 // By how many boxes `distance` [L] along x exceeds the displacement of the image `above`, rounded.
 template <class Round>
 std::int32_t Box::boxes_along(double distance, std::int32_t above, const Time& moment, Round&& round) const {
-  const DoubleDouble<double> slid =
-      DoubleDouble<double>{static_cast<double>(above), 0} * images_.displacement(moment);
-  const double boxes = round((DoubleDouble<double>{distance, 0} - slid).high * inverse_period_.x);
+  const double boxes = round(images_.beyond(distance, above, moment) * inverse_period_.x);
   if (!(std::fabs(boxes) <= kMaxBoxesBeyond)) {
     throw RunFailure(
         "the images of the sheared box have slid by 2^30 boxes; begin a new run where this ends");

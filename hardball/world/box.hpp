@@ -12,9 +12,9 @@
 
 #include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
+#include "hardball/geometry/sliding_images.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/surfaces/surface_material.hpp"
-#include "hardball/world/shear.hpp"
 
 namespace hardball {
 
@@ -181,7 +181,8 @@ class HARDBALL_EXPORT Box {
 
   /// The image of a body that is nearest to another at `moment`, also in a sheared box.
   Image nearest_image(const Vec3& apart, const Time& moment) const {
-    return is_sheared() ? nearest_sheared_image(apart, moment) : nearest_image(apart);
+    const Image nearest = nearest_image(apart);
+    return is_sheared() && nearest[1] != 0 ? nearest_sliding_image(apart, nearest, moment) : nearest;
   }
 
   /// The image of a body that is nearest to another, `apart` [L] being the vector from the body to the other;
@@ -217,7 +218,7 @@ class HARDBALL_EXPORT Box {
   // By value: passed by reference, a position would be kept in memory even where this is not called.
   Image count_boxes_beyond(Vec3 position) const;
   Image count_sheared_boxes_beyond(Vec3 position, const Time& moment) const;
-  Image nearest_sheared_image(Vec3 apart, const Time& moment) const;
+  Image nearest_sliding_image(const Vec3& apart, Image nearest, const Time& moment) const;
   template <class Round>
   std::int32_t boxes_along(double distance, std::int32_t above, const Time& moment, Round&& round) const;
 

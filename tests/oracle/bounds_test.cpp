@@ -37,10 +37,12 @@ struct Regime {
   double speed_unit = 1;       // [L/T]
   double growth = 0;           // of radii, in units of themselves over the length unit over the speed unit
   double gravity = 0;          // times the length unit over the square of the speed unit, in any direction
-  double start = 0;            // [T], over the length unit divided by the speed unit
-  double contacts = 1.0 / 3;   // the least share of pairs that meet, or of which copies say nothing
-  double early = 1e-3;         // by how much half of the bounds are early at most, see Outcome
-  double for_nothing = 0.02;   // the share of pairs with a bound among those that miss by less than a tenth
+  double slide =
+      0;  // the speed of the images above, in units of the common one; most spheres are at the face
+  double start = 0;           // [T], over the length unit divided by the speed unit
+  double contacts = 1.0 / 3;  // the least share of pairs that meet, or of which copies say nothing
+  double early = 1e-3;        // by how much half of the bounds are early at most, see Outcome
+  double for_nothing = 0.02;  // the share of pairs with a bound among those that miss by less than a tenth
 };
 
 void PrintTo(const Regime& regime, std::ostream* out) {
@@ -71,7 +73,12 @@ class EncounterMaker {
     Encounters made;
     gravity_ = regime_.gravity * regime_.speed_unit * regime_.speed_unit / regime_.length_unit *
                (regime_.gravity > 0 ? random_.direction() : Vec3{});
-    made.world = World(Box({boundary, boundary, boundary}, {edge, edge, edge}), gravity_);
+    Box box({boundary, boundary, boundary}, {edge, edge, edge});
+    if (regime_.slide != 0) {
+      box.set_shear({.rate = regime_.slide * regime_.speed_unit / edge,
+                     .offset = (20 * random_.uniform() - 10) * edge});
+    }
+    made.world = World(box, gravity_);
     made.farthest = regime_.farthest * regime_.length_unit;
     const double start = regime_.start * regime_.length_unit / regime_.speed_unit;
     made.now = after(Time(start), random_.uniform() * regime_.length_unit / regime_.speed_unit);
@@ -85,6 +92,8 @@ class EncounterMaker {
       const double inset = boundary == Boundary::wall ? made.farthest + regime_.length_unit : 0;
       own_place[axis] = inset + random_.uniform() * (edge - 2 * inset);
     }
+    if (regime_.slide != 0 && chance(0.8))
+      own_place.y = (2 * random_.uniform() - 1) * made.farthest + (chance(0.5) ? edge : 0);
     add(made, own_place, own_velocity, own_radius, Meeting::generic);
     for (Slot other = 1; other <= kOthers; ++other) {
       const double other_radius = radius();
@@ -176,7 +185,7 @@ class EncounterMaker {
       const Time begin = after(made.now, -age);
       const auto slot = static_cast<Slot>(made.world.size() - 1);
       Path path = made.world.path(slot);
-      path.position = path.position - age * (velocity - (0.5 * age) * gravity_);
+      path.position = path.position - age * (path.velocity - (0.5 * age) * gravity_);
       path.velocity = path.velocity - age * gravity_;
       path.time = begin;
       SphereEdit(made.world, begin, slot).store_path(slot, path, {});
@@ -194,12 +203,12 @@ class EncounterMaker {
 // the sphere that asks, now.
 void copy_paths(const Encounters& made, Random& random, CompactPaths& copies) {
   const World& world = made.world;
-  copies.reset(world, made.farthest, made.now);
+  // In a periodic box, the copy must lie in the same half of it as the sphere does now.
+  double way = made.farthest;
+  if (world.box().is_periodic(0)) way = std::min(way, 0.49 * world.box().size().x - made.farthest);
+  copies.reset(world, std::max(made.farthest, CompactPaths::least_farthest(world.box())), way, made.now);
   for (Slot slot = 1; slot < world.size(); ++slot) {
     const double speed = length(world.path(slot).velocity);
-    // In a periodic box, the copy must lie in the same half of it as the sphere does now.
-    double way = made.farthest;
-    if (world.box().is_periodic(0)) way = std::min(way, 0.49 * world.box().size().x - made.farthest);
     // At rest it may be any time, more than 2^32 ticks too.
     double longest_age =
         speed > 0 ? std::min(way / speed, copies.longest_age(slot)) : 1e4 * copies.time_unit();
@@ -210,8 +219,13 @@ void copy_paths(const Encounters& made, Random& random, CompactPaths& copies) {
           std::min(copies.longest_age(slot), 2 * way / (now + std::sqrt(now * now + 6 * gravity * way)));
     }
     const double part = random.uniform();
-    const double age = part < 0.2 ? 0 : part < 0.4 ? longest_age : random.uniform() * longest_age;
+    double age = part < 0.2 ? 0 : part < 0.4 ? longest_age : random.uniform() * longest_age;
     copies.copy(world, slot, after(made.now, -age));
+    // The image that was in a sheared box then may be faster than the one that is in it now.
+    while (world.box().is_sheared() && age > copies.longest_age(slot)) {
+      age /= 2;
+      copies.copy(world, slot, after(made.now, -age));
+    }
   }
   copies.copy(world, 0, made.now);
 }
@@ -285,7 +299,8 @@ class Bounds : public testing::TestWithParam<Regime> {
     outcome.contacts += contact < kNever.high ? 1U : 0U;
     if (made.meetings[other] != Meeting::generic) return;
     if (contact < kNever.high) {
-      const Vec3 velocity = made.world.velocity(other, made.now) - made.world.velocity(0, made.now);
+      const Image image = nearest_image(made.world, 0, other, made.now);
+      const Vec3 velocity = relative_state(made.world, 0, other, image, made.now).velocity;
       outcome.early.push_back((contact - bound) / (made.farthest / length(velocity)));
     } else {
       ++outcome.misses;
@@ -371,6 +386,16 @@ std::vector<Regime> all_regimes() {
       {.name = "SmallAndFast", .length_unit = 1e-9, .speed_unit = 300},
       {.name = "Large", .length_unit = 1e50},
       {.name = "SmallAndSlow", .length_unit = 1e-50, .speed_unit = 1e-50},
+      {.name = "Sheared", .slide = 1},
+      {.name = "ShearedFast", .slide = -30, .early = 3e-3, .for_nothing = 0.3},
+      {.name = "ShearedMixtureInASmallBox",
+       .farthest = 1.35,
+       .box = 4.2,
+       .smallest_radius = 0.05,
+       .slide = 2,
+       .for_nothing = 0.1},
+      {.name = "ShearedLate", .slide = 0.5, .start = 1e7},
+      {.name = "ShearedInABoxOf1e4", .box = 1e4, .slide = 10, .early = 0.1, .for_nothing = 0.95},
       {.name = "Late", .start = 1e10},
       {.name = "LateInASmallBox", .farthest = 1.35, .box = 4.2, .slowest = 1e-3, .start = 1e10},
   };

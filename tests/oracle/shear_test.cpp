@@ -96,6 +96,7 @@ TEST_P(ShearAgrees, OnRandomWorlds) {
   std::uint64_t contacts = 0;
   std::uint64_t across = 0;
   std::uint64_t with_cells = 0;
+  std::uint64_t with_lists = 0;
   for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
     const RandomWorld made = support::make_sheared_world(seed);
     SCOPED_TRACE(made.name);
@@ -108,6 +109,7 @@ TEST_P(ShearAgrees, OnRandomWorlds) {
       try {
         Simulation simulation(made.world, variant.options);
         if (variant.options.cell_edge && simulation.engine() == EngineKind::cells) ++with_cells;
+        if (simulation.engine() == EngineKind::neighbors) ++with_lists;
         const bool is_split = expected && variant.name == variants.back().name;
         if (!expected) {
           simulation.on_contact([&](const Contact& contact) {
@@ -136,6 +138,7 @@ TEST_P(ShearAgrees, OnRandomWorlds) {
   EXPECT_GT(contacts, 20 * support::cases(kWorlds) / kParts);
   EXPECT_GT(across, 3 * support::cases(kWorlds) / kParts);
   EXPECT_GT(with_cells, 2 * support::cases(kWorlds) / kParts);
+  EXPECT_GT(with_lists, support::cases(kWorlds) / kParts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, ShearAgrees, testing::Range(std::uint64_t{0}, kParts));

@@ -16,11 +16,13 @@
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/broadphase/large_sphere_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
+#include "hardball/broadphase/sheared_cells.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/errors/error.hpp"
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
+#include "support/sheared.hpp"
 
 namespace hardball::broad_phase_test {
 namespace {
@@ -60,6 +62,7 @@ using CopyingPairs = Copying<AllPairs>;
 using CopyingGrid = Copying<CellGrid>;
 using CopyingList = Copying<NeighborList>;
 using CopyingShells = Copying<LargeSphereGrid>;
+using CopyingShearedCells = Copying<ShearedCells>;
 
 // The candidates collected for a sphere at `now`, each with its image. Those with an image of their own may
 // not be collected twice, nor include the sphere.
@@ -107,11 +110,15 @@ std::set<Partner> touching(const World& world, Slot slot, const Time& now) {
       middle[axis] = static_cast<std::int32_t>(-std::round(apart[axis] / world.box().size()[axis]));
       span[axis] = 2;
     }
-    for (std::int32_t x = -span[0]; x <= span[0]; ++x) {
-      for (std::int32_t y = -span[1]; y <= span[1]; ++y) {
+    for (std::int32_t y = -span[1]; y <= span[1]; ++y) {
+      // Images above and below may have slid along x.
+      const double slid = world.box().images().shift(0, middle[1] + y, now);
+      const auto behind =
+          static_cast<std::int32_t>(world.box().is_sheared() ? std::round(slid / world.box().size().x) : 0);
+      for (std::int32_t x = -span[0]; x <= span[0]; ++x) {
         for (std::int32_t z = -span[2]; z <= span[2]; ++z) {
-          const Image image = middle + Image{{x, y, z}};
-          const double distance = length(apart + world.box().shift(image));
+          const Image image = middle + Image{{x - behind, y, z}};
+          const double distance = length(apart + world.box().shift(image, now));
           if (inside <= distance && distance <= reach) found.emplace(other, image.boxes);
         }
       }
@@ -160,7 +167,9 @@ void fly_about(Copying<Phase> phase, World world, double until, std::uint64_t se
       slot = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
       Vec3 velocity = world.path(slot).velocity;
       if (velocity == Vec3{}) velocity = {1, 0, 0};
-      const Image folded = world.change_velocity(slot, now, length(velocity) * random.direction());
+      Vec3 direction = random.direction();
+      if (world.box().is_flat()) direction.z = 0;
+      const Image folded = world.change_velocity(slot, now, length(velocity) * direction);
       phase.refresh(world, slot, now, folded);
     }
     crossings[slot] = phase.next_crossing(world, slot, now);
@@ -211,6 +220,35 @@ TEST(NeighborList, KnowsWhoMayTouch) {
     if (HasFailure()) return;
   }
   EXPECT_GT(suited, support::cases(1000) / 3);
+}
+
+TEST(NeighborList, KnowsWhoMayTouchWhereImagesSlide) {
+  std::uint64_t suited = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
+    const support::RandomWorld made = support::make_sheared_world(seed);
+    if (made.world.size() == 0 || !NeighborList::supports(made.world)) continue;
+    ++suited;
+    SCOPED_TRACE(made.name);
+    constexpr std::array kSkins = {0.01, 0.1, 0.5, 2.0, 20.0};
+    const double skin = made.world.largest_radius() * kSkins[seed % kSkins.size()];
+    fly_about(CopyingList(skin), made.world, made.until, seed);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(suited, support::cases(300) / 3);
+}
+
+TEST(ShearedCells, KnowsWhoMayTouch) {
+  std::uint64_t suited = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
+    const support::RandomWorld made = support::make_sheared_world(seed);
+    const double edge = made.world.largest_radius() * (1 + static_cast<double>(seed % 7));
+    if (!ShearedCells::supports(made.world, edge)) continue;
+    ++suited;
+    SCOPED_TRACE(made.name);
+    fly_about(CopyingShearedCells(edge), made.world, made.until, seed);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(suited, support::cases(300) / 3);
 }
 
 // A mixture of spheres of radius one and others down to a hundredth of that, in a box of random boundaries;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/packing/crystalline_share.hpp"
 
 namespace hardball::contact_network_test {

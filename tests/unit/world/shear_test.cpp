@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/world/shear.hpp"
+#include "hardball/geometry/sliding_images.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
+#include <type_traits>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/geometry/double_double.hpp"
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/geometry/time.hpp"
 
 namespace hardball {
@@ -24,7 +25,8 @@ struct Shear {
   static void persist(auto& archive, auto& self) { archive(self.rate, self.offset); }
 };
 
-/// How the images of a sheared box move, those above along y.
+/// How the images of a sheared box move, those above along y. Formulas are templates on the number
+/// (number.hpp).
 class SlidingImages {
  public:
   SlidingImages() = default;
@@ -38,9 +40,12 @@ class SlidingImages {
   double speed() const { return speed_; }
   /// By how much the image above is displaced along x at `moment` [L], to twice the precision: so no digits
   /// are lost, however many boxes that are.
-  DoubleDouble<double> displacement(const Time& moment) const {
-    const DoubleDouble<double> slid = product(speed_, moment.high);
-    return normalized(slid.high, slid.low + speed_ * moment.low) + DoubleDouble<double>{shear_.offset, 0};
+  template <class Number>
+  HARDBALL_ALWAYS_INLINE DoubleDouble<Number> displacement(const TimeOf<Number>& moment) const {
+    const Number speed(speed_);
+    const DoubleDouble<Number> slid = product(speed, moment.high);
+    return normalized<Number>(slid.high, slid.low + speed * moment.low) +
+           DoubleDouble<Number>{Number(shear_.offset), Number(0.0)};
   }
   /// The same up to whole boxes, between zero and the width [L].
   double displacement_in_box(const Time& moment) const {
@@ -49,10 +54,21 @@ class SlidingImages {
     return (whole - boxes).high;
   }
   /// By how much the image `along` boxes ahead along x and `above` boxes up is displaced along x at `moment`
-  /// [L].
-  double shift(std::int32_t along, std::int32_t above, const Time& moment) const {
-    const DoubleDouble<double> ahead = product(static_cast<double>(along), width_);
-    return (ahead + DoubleDouble<double>{static_cast<double>(above), 0} * displacement(moment)).high;
+  /// [L]; both are integers.
+  template <class Number>
+  HARDBALL_ALWAYS_INLINE Number shift(const std::type_identity_t<Number>& along,
+                                      const std::type_identity_t<Number>& above,
+                                      const TimeOf<Number>& moment) const {
+    const DoubleDouble<Number> ahead = product(along, Number(width_));
+    return (ahead + DoubleDouble<Number>{above, Number(0.0)} * displacement(moment)).high;
+  }
+  /// By how much `distance` along x exceeds the displacement of the image `above` at `moment` [L].
+  template <class Number>
+  HARDBALL_ALWAYS_INLINE Number beyond(const std::type_identity_t<Number>& distance,
+                                       const std::type_identity_t<Number>& above,
+                                       const TimeOf<Number>& moment) const {
+    const DoubleDouble<Number> slid = DoubleDouble<Number>{above, Number(0.0)} * displacement(moment);
+    return (DoubleDouble<Number>{distance, Number(0.0)} - slid).high;
   }
 
   friend bool operator==(const SlidingImages&, const SlidingImages&) = default;

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "hardball/geometry/double_double.hpp"
+#include "hardball/geometry/inlining.hpp"
+#include "hardball/geometry/sliding_images.hpp"
+#include "hardball/world/box.hpp"
+
+namespace hardball {
+
+/// The rows of cells in a sheared box, counted upwards along y: each slides along x with the flow at its
+/// middle.
+///
+/// Adjacent rows slide past each other at the same speed wherever they are, those on both sides of the box's
+/// face too. So the work for a sphere depends neither on where it is nor on the size of the box. Rows are
+/// counted as cells are: those above the box belong to the image above.
+class SlidingRows {
+ public:
+  SlidingRows() = default;
+  /// As they are from `now` on.
+  SlidingRows(const Box& box, std::int32_t rows, const Time& now)
+      : are_present_(box.is_sheared()),
+        images_(box.images()),
+        width_(box.size().x),
+        rows_(rows),
+        speed_of_half_step_(images_.speed() / (2 * rows)) {
+    if (!are_present()) return;
+    boxes_.resize(static_cast<std::size_t>(rows));
+    displacements_.resize(static_cast<std::size_t>(rows));
+    leave_out_boxes(now);
+    note(now);
+  }
+
+  bool are_present() const { return are_present_; }
+
+  /// Makes displacements at moments near this one cheap. Cost: O(1), and O(rows) when images have slid by a
+  /// box.
+  void keep_near(const Time& now) {
+    if (!is_near(duration(noted_at_, now))) [[unlikely]]
+      note(now);
+  }
+
+  /// The same; displacements may jump by whole boxes, and stay small.
+  void keep_near_and_small(const Time& now) {
+    if (is_near(duration(noted_at_, now))) [[likely]]
+      return;
+    leave_out_boxes(now);
+    note(now);
+  }
+
+  /// By how much a row of the box is displaced along x at `moment` [L], less as many boxes as made that small
+  /// at the time of construction.
+  double displacement_in_box(std::int32_t row, const Time& moment) const {
+    const double since = duration(noted_at_, moment);
+    if (is_near(since)) [[likely]]
+      return displacements_[static_cast<std::size_t>(row)] + speed(row) * since;
+    return exact_displacement(row, moment);
+  }
+  /// The same of any row.
+  double displacement(std::int32_t row, const Time& moment) const {
+    if (static_cast<std::uint32_t>(row) < static_cast<std::uint32_t>(rows_)) [[likely]]
+      return displacement_in_box(row, moment);
+    return displacement_beyond_box(row, moment);
+  }
+  /// By how much a row is displaced against the one below at `moment`, but for whole boxes: a few boxes at
+  /// most [L].
+  double step(const Time& moment) const {
+    const double since = duration(noted_at_, moment);
+    return is_near(since) ? step_ + 2 * speed_of_half_step_ * since : exact_step(moment);
+  }
+  /// How fast a row moves along x [L/T].
+  double speed(std::int32_t row) const { return speed_of_half_step_ * half_steps(row); }
+  /// How fast adjacent rows slide past each other [L/T].
+  double speed_of_step() const { return 2 * std::fabs(speed_of_half_step_); }
+
+ private:
+  // The height of a row's middle over that of the box's, in halves of a row.
+  double half_steps(std::int32_t row) const { return 2.0 * row + 1 - rows_; }
+  DoubleDouble<double> half_step(const Time& moment) const {
+    return divide(images_.displacement(moment), 2.0 * rows_);
+  }
+  double exact_displacement(std::int32_t row, const Time& moment) const {
+    const DoubleDouble<double> slid = half_step(moment) * DoubleDouble<double>{half_steps(row), 0};
+    return (slid - product(boxes_[static_cast<std::size_t>(row)], width_)).high;
+  }
+  HARDBALL_NEVER_INLINE double displacement_beyond_box(std::int32_t row, const Time& moment) const {
+    const std::int32_t rest = row % rows_;
+    const std::int32_t inside = rest < 0 ? rest + rows_ : rest;
+    const double layer = (row - inside) / rows_;
+    const DoubleDouble<double> slid = images_.displacement(moment) - product(boxes_above_, width_);
+    return displacement_in_box(inside, moment) + layer * slid.high;
+  }
+  double exact_step(const Time& moment) const {
+    const DoubleDouble<double> slid = half_step(moment) * DoubleDouble<double>{2, 0};
+    return (slid - product(std::round(slid.high / width_), width_)).high;
+  }
+  // Whether images have slid by no more than a box since.
+  bool is_near(double since) const { return std::fabs(images_.speed() * since) <= width_; }
+  void leave_out_boxes(const Time& now) {
+    boxes_above_ = std::round(images_.displacement(now).high / width_);
+    for (std::int32_t row = 0; row < rows_; ++row) {
+      const DoubleDouble<double> slid = half_step(now) * DoubleDouble<double>{half_steps(row), 0};
+      boxes_[static_cast<std::size_t>(row)] = std::round(slid.high / width_);
+    }
+  }
+  void note(const Time& now) {
+    noted_at_ = now;
+    for (std::int32_t row = 0; row < rows_; ++row)
+      displacements_[static_cast<std::size_t>(row)] = exact_displacement(row, now);
+    step_ = exact_step(now);
+  }
+
+  bool are_present_ = false;
+  SlidingImages images_;
+  double width_ = 1;
+  std::int32_t rows_ = 1;
+  double speed_of_half_step_ = 0;
+  // By which displacements are less, of the image above and by row:
+  double boxes_above_ = 0;
+  std::vector<double> boxes_;
+  // As noted at a moment, by row and of each against the one below:
+  Time noted_at_;
+  std::vector<double> displacements_;
+  double step_ = 0;
+};
+
+}  // namespace hardball
