@@ -52,6 +52,10 @@ double farthest_neighbors(double largest_radius, double skin, double slide) {
   return 2 * largest_radius + 4 * skin + slide;
 }
 
+// The duration of a list in ticks, the last of which may be cut short.
+constexpr std::uint32_t kTicksOfList = 1U << 20;
+constexpr double kRoundedDown = 1 - 1e-6;
+
 // Rows slide by no more than this multiple of the skin before lists expire.
 constexpr double kMostSlide = 1.5;
 
@@ -90,10 +94,10 @@ double NeighborList::cell_edge(double largest_radius, double skin) {
 
 double NeighborList::slide_of_skin(const Box& box, double largest_radius, double skin, double mean_speed) {
   if (!box.is_sheared()) return 0;
-  constexpr double kLeastSlide = 0.05;
-  constexpr double kBallsLeft = 4;
-  const double slide = kBallsLeft * std::fabs(box.shear().rate) * cell_edge(largest_radius, skin);
-  return slide < kMostSlide * mean_speed ? std::max(kLeastSlide, slide / mean_speed) : kMostSlide;
+  constexpr double kSlide = 1.8;
+  const double speed_of_rows = std::fabs(box.shear().rate) * cell_edge(largest_radius, skin);
+  const double slide = kSlide * std::sqrt(speed_of_rows / mean_speed);
+  return slide < kMostSlide ? slide : kMostSlide;
 }
 
 void NeighborList::build(const World& world, const Time& now, CompactPaths& copies) {
@@ -118,7 +122,10 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   cells_ = Subdivision(world.box(), cell_edge(any_radius, skin_) + slide / 2 + 2 * margin);
   rows_ = SlidingRows(world.box(), cells_.period(1), now);
   const double speed_of_rows = rows_.speed_of_step();
-  duration_ = speed_of_rows > 0 ? slide / speed_of_rows : std::numeric_limits<double>::infinity();
+  duration_ = speed_of_rows > 0 ? slide / speed_of_rows : kNever.high;
+  built_ = now;
+  time_of_tick_ = kRoundedDown * duration_ / (kTicksOfList + 1);
+  ticks_per_time_ = 1 / time_of_tick_;
   const double apart = farthest + 2 * margin;
   if (rows_.are_present()) {
     const double scale = std::max(apart, kHeightsMoved * height);
@@ -133,7 +140,6 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   points_.reset(table_.size());
   choose_packing(copies);
   reset(lines_, world);
-  expiries_.assign(rows_.are_present() ? world.size() : 0, 0);
   for (Slot slot = 0; slot < world.size(); ++slot) {
     move_anchor(world, slot, now, copies);
     store_anchor(slot);
@@ -169,7 +175,6 @@ void NeighborList::make_mutual() {
 
 void NeighborList::insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
   reset(lines_, world, slot);
-  if (rows_.are_present() && slot == expiries_.size()) append_sparingly(expiries_, 0.0);
   neighbors_.add_owner(slot);
   move_anchor(world, slot, now, copies);
   find_near(slot, now, copies);
@@ -207,7 +212,6 @@ bool NeighborList::keeps(const World& world, Slot slot, const Time& now, const C
 void NeighborList::move(Slot from, Slot to) {
   points_.erase(table_.list(lines_[from].region.cell), from);
   lines_[to] = lines_[from];
-  if (rows_.are_present()) expiries_[to] = expiries_[from];
   store_anchor(to);
   const std::span<const Slot> lanes = neighbors_.of(from);
   std::vector<Slot> list(lanes.begin(), lanes.end());
@@ -276,7 +280,7 @@ double NeighborList::next_crossing_of_any(const World& world, Slot slot, const T
   const float wait = wait_in_ball(copies, path.position, velocity, anchor);
   const double crossing = wait >= 0 ? rounded_down(now) + copies.time_unit() * static_cast<double>(wait)
                                     : leaves_ball(world, slot, now, copies);
-  return std::min(crossing, std::max(rounded_down(now), expiries_[slot]));
+  return std::min(crossing, expiry(slot, now));
 }
 
 double NeighborList::leaves_ball(const World& world, Slot slot, const Time& now,
@@ -367,7 +371,7 @@ void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, c
   Vec3 position = world.position(slot, now);
   anchor.cell = cells_.cell_of(position);
   if (!rows_.are_present()) return;
-  expiries_[slot] = rounded_down(now) + duration_;
+  if (lists_expire()) anchor.expiry = ticks_at(now) + kTicksOfList;
   const double width = world.box().size().x;
   position.x -= rows_.displacement_in_box(anchor.cell[1], now);
   position.x -= std::floor(position.x / width) * width;
@@ -515,7 +519,6 @@ std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& a
 
 std::size_t NeighborList::memory_bytes() const {
   return points_.memory_bytes() + lines_.capacity() * sizeof(lines_[0]) + neighbors_.memory_bytes() +
-         expiries_.capacity() * sizeof(double) +
          (near_.room.capacity() + gained_.capacity() + lost_.capacity()) * sizeof(Slot);
 }
 
@@ -545,7 +548,8 @@ void NeighborList::validate(const World& world, const Time& now, const CompactPa
       ++others;
     }
     HARDBALL_CHECK(rows_.are_present() || neighbors_.size(slot) == others);
-    HARDBALL_CHECK(!rows_.are_present() || rounded_down(now) <= expiries_[slot]);
+    HARDBALL_CHECK(!lists_expire() ||
+                   static_cast<std::int32_t>(lines_[slot].region.expiry - ticks_at(now)) >= 0);
   }
 }
 

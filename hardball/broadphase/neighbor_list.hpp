@@ -27,6 +27,7 @@ namespace hardball {
 struct Anchor {
   std::array<std::int32_t, 3> position{};  ///< On the grid of CompactPaths, modulo 2^32 steps.
   CellIndex cell{};
+  std::uint32_t expiry = 0;  ///< Of the list where rows slide, modulo 2^32 of its ticks.
 };
 
 /// A neighbor list for each sphere, for dense systems, where spheres are caged by their neighbors.
@@ -53,9 +54,9 @@ class NeighborList : public WithSphereLines<Anchor> {
   /// The edge of the cells in which anchors are found [L]: shells that overlap are in adjacent ones.
   static double cell_edge(double largest_radius, double skin);
 
-  /// By how much rows of cells slide past each other in a sheared box before lists expire, over the skin: so
-  /// much that spheres of this mean peculiar speed [L/T] reach the edges of their balls a few times before.
-  /// Zero without shear.
+  /// By how much rows of cells slide past each other in a sheared box before lists expire, over the skin,
+  /// where spheres have this mean peculiar speed [L/T]: the cost of lists that expire balances that of longer
+  /// ones. Zero without shear.
   static double slide_of_skin(const Box& box, double largest_radius, double skin, double mean_speed);
 
   void build(const World& world, const Time& now, CompactPaths& copies);
@@ -90,7 +91,6 @@ class NeighborList : public WithSphereLines<Anchor> {
   void prefetch_region(Slot slot) const {
     prefetch(neighbors_.address(slot));
     prefetch(&lines_[slot]);
-    if (rows_.are_present()) prefetch(&expiries_[slot]);
   }
   void prefetch_lists(Slot slot, bool crosses) const {
     if (!crosses) return;
@@ -125,6 +125,18 @@ class NeighborList : public WithSphereLines<Anchor> {
   }
   double next_crossing_of_any(const World& world, Slot slot, const Time& now,
                               const CompactPaths& copies) const;
+  // A moment in ticks, many of which are the duration of a list, modulo 2^32.
+  std::uint32_t ticks_at(const Time& moment) const {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(duration(built_, moment) * ticks_per_time_));
+  }
+  // As rows slide.
+  bool lists_expire() const { return duration_ < kNever.high; }
+  // When the list of a sphere expires.
+  double expiry(Slot slot, const Time& now) const {
+    if (!lists_expire()) return kNever.high;
+    const auto left = static_cast<std::int32_t>(lines_[slot].region.expiry - ticks_at(now));
+    return rounded_down(now) + std::max(left, 0) * time_of_tick_;
+  }
   // When a center leaves its ball.
   double leaves_ball(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
   void choose_packing(const CompactPaths& copies);
@@ -193,6 +205,9 @@ class NeighborList : public WithSphereLines<Anchor> {
   float room_squared_ = 0;    // likewise, of room_
   double room_ = 0;           // the distance from its anchor at which a center crosses
   double duration_ = 0;       // of lists where rows slide [T]
+  Time built_;                // when lists were made
+  double ticks_per_time_ = 0;
+  double time_of_tick_ = 0;
   // Of rows against those below, when the current list will be half as old:
   std::int32_t step_ = 0;     // on the grid of CompactPaths
   double step_in_cells_ = 0;  // of the edge of a cell
@@ -201,9 +216,8 @@ class NeighborList : public WithSphereLines<Anchor> {
   std::array<Packing, kAxes> packing_;
   std::array<float, kAxes> packing_unit_{};  // in units of the compact paths
   CellTable table_;
-  PointLists points_;             // anchors, by cell
-  PaddedLists neighbors_;         // by slot
-  LargeVector<double> expiries_;  // by slot, of lists where rows slide [T]
+  PointLists points_;      // anchors, by cell
+  PaddedLists neighbors_;  // by slot
   // Of the current sphere:
   Nearby near_;                      // its new neighbors
   std::vector<Slot> gained_, lost_;  // changes to its list

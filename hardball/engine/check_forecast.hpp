@@ -25,6 +25,20 @@ void check_bounds([[maybe_unused]] const Forecast& forecast, [[maybe_unused]] co
   }
 }
 
+/// The same with those that are inside of a step with it.
+template <class Forecast>
+void check_bounds([[maybe_unused]] const Forecast& forecast, [[maybe_unused]] const StepCandidates& pairs,
+                  [[maybe_unused]] const BoundedContacts& found) {
+  if constexpr (HARDBALL_VALIDATE) {
+    const World& world = forecast.world();
+    for (const PairLevel& pair : pairs.pairs()) {
+      const Image image = nearest_image(world, pairs.self(), pair.partner, forecast.now());
+      const Time time = next_pair_event(world, pairs.self(), pair, image).time;
+      HARDBALL_CHECK((pair.partner == found.partner ? found.least : found.second) <= time.high);
+    }
+  }
+}
+
 /// Whether a sphere answers for its contact with another: the contact cannot come before what it has planned.
 template <class Forecast>
 bool covers(const Forecast& forecast, Slot slot, const Event& contact, Slot other) {

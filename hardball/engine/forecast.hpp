@@ -117,7 +117,7 @@ class Forecast {
     if (!plan(slot).is_renewal()) {
       ++counters_.enter;
       phase_.cross(world_, slot, now_, compact_, candidates_);
-      if (has_excluded_) exclude(candidates_);
+      if (has_excluded_) exclude(candidates_, step_candidates_);
       counters_.predictions += candidates_.size();
       counters_.enter_predictions += candidates_.size();
       if (is_stale(slot) && plan(slot).is_bound()) postpone(slot);
@@ -168,12 +168,15 @@ class Forecast {
       bound_watch_.note_exact();
       return predict_exactly(slot);
     }
-    collect(slot, candidates_);
+    collect(slot, candidates_, step_candidates_);
     counters_.predictions += candidates_.size();
     bound_watch_.note_bounded();
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
     check_bounds(*this, candidates_, found);
     plan_contacts(candidates_, found.least, found.second, found.partner);
+    if (has_steps_) [[unlikely]]
+      plan_bounded_pairs(step_candidates_);
+    plan_crossing(slot);
   }
 
   /// The same for two spheres. Both are bounded first: the processor works on them at once.
@@ -182,8 +185,8 @@ class Forecast {
       predict(a);
       return predict(b);
     }
-    collect(a, candidates_);
-    collect(b, candidates_of_partner_);
+    collect(a, candidates_, step_candidates_);
+    collect(b, candidates_of_partner_, step_candidates_of_partner_);
     counters_.predictions += candidates_.size() + candidates_of_partner_.size();
     bound_watch_.note_bounded();
     bound_watch_.note_bounded();
@@ -192,6 +195,12 @@ class Forecast {
     check_bounds(*this, candidates_of_partner_, of_b);
     plan_contacts(candidates_, of_a.least, of_a.second, of_a.partner);
     plan_contacts(candidates_of_partner_, of_b.least, of_b.second, of_b.partner);
+    if (has_steps_) [[unlikely]] {
+      plan_bounded_pairs(step_candidates_of_partner_);
+      plan_bounded_pairs(step_candidates_);
+    }
+    plan_crossing(a);
+    plan_crossing(b);
   }
 
   // The event table; see EventTable.
@@ -247,11 +256,10 @@ class Forecast {
     phase_.prefetch_region(slot);
   }
 
-  /// The spheres that one may meet.
+  /// The spheres that one may meet, without those that are inside of a step with it.
   void collect(Slot slot, Candidates& candidates) const {
-    phase_.collect(world_, slot, candidates);
-    if (has_excluded_) [[unlikely]]
-      exclude(candidates);
+    StepCandidates pairs;
+    collect(slot, candidates, pairs);
   }
 
  private:
@@ -266,8 +274,15 @@ class Forecast {
                                : images_[slot];
   }
 
-  void exclude(Candidates& candidates) const;
-  void plan_pairs(Slot slot);
+  // The same, and those that are.
+  void collect(Slot slot, Candidates& candidates, StepCandidates& pairs) const {
+    phase_.collect(world_, slot, candidates);
+    if (has_excluded_) [[unlikely]]
+      exclude(candidates, pairs);
+  }
+  void exclude(Candidates& candidates, StepCandidates& pairs) const;
+  void plan_bounded_pairs(StepCandidates& pairs);
+  void plan_pairs(StepCandidates& pairs);
   void plan_if_first(Slot slot, const Event& event, Slot partner);
   PairLevel first_in_order(Slot slot) const;
   void note_exclusions();
@@ -322,14 +337,11 @@ class Forecast {
         own.lower_safe_until(wall.time.high);
       }
     }
-    if (has_steps_) [[unlikely]]
-      plan_pairs(slot);
-    plan_crossing(slot);
   }
 
   // The same, where bounds do not tell which contact is the first. Precondition: likewise.
   void predict_exactly(Slot slot) {
-    collect(slot, candidates_);
+    collect(slot, candidates_, step_candidates_);
     counters_.predictions += candidates_.size();
     take(slot, predictor_.earliest(world_, candidates_, now_));
     if (has_walls_) {
@@ -338,7 +350,7 @@ class Forecast {
         mutable_plan(slot).set_wall(wall.time, wall.second);
     }
     if (has_steps_) [[unlikely]]
-      plan_pairs(slot);
+      plan_pairs(step_candidates_);
     plan_crossing(slot);
   }
 
@@ -400,13 +412,14 @@ class Forecast {
   bool has_walls_ = false;
   bool has_images_of_obstacles_ = false;
   bool has_passing_pairs_ = false;
-  bool has_steps_ = false;              // of potentials
-  bool has_excluded_ = false;           // some candidates must be left out: one of the two above
-  Candidates candidates_;               // of the current sphere
-  Candidates candidates_of_partner_;    // of the sphere that it meets
-  PairContacts pairs_;                  // of the current bucket
-  StepCandidates step_candidates_;      // of the current sphere
-  mutable std::vector<Slot> partners_;  // inside of steps with the current sphere
+  bool has_steps_ = false;            // of potentials
+  bool are_steps_bounded_ = false;    // no farther than candidates are apart
+  bool has_excluded_ = false;         // some candidates must be left out: one of the two above
+  Candidates candidates_;             // of the current sphere
+  Candidates candidates_of_partner_;  // of the sphere that it meets
+  PairContacts pairs_;                // of the current bucket
+  StepCandidates step_candidates_;    // of the current sphere
+  StepCandidates step_candidates_of_partner_;
   Counters counters_;
 };
 

@@ -78,20 +78,24 @@ void Forecast<Phase>::note_exclusions() {
   has_passing_pairs_ = world_.has_passing_pairs();
   has_steps_ = world_.has_steps();
   has_excluded_ = has_passing_pairs_ || has_steps_;
+  are_steps_bounded_ = true;
+  const StepTable& steps = world_.interactions().steps();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const double reach = 2 * world_.largest_radius() * steps[static_cast<StepTable::Number>(i)].range();
+    are_steps_bounded_ &= reach <= compact_.farthest();
+  }
 }
 
 // Leaves out the candidates that a sphere is passing through, or has just begun to, and those that are inside
 // of a step with it, which it knows by its pairs.
 template <BroadPhase Phase>
-HARDBALL_NEVER_INLINE void Forecast<Phase>::exclude(Candidates& candidates) const {
+HARDBALL_NEVER_INLINE void Forecast<Phase>::exclude(Candidates& candidates, StepCandidates& pairs) const {
   const Slot slot = candidates.self();
   if (has_steps_) {
-    const std::span<const PairLevel> pairs = world_.pair_levels().of(slot);
-    if (candidates.uses_minimum_image() && !pairs.empty()) {
-      partners_.clear();
-      for (const PairLevel& pair : pairs) partners_.push_back(pair.partner);
-      predictor_.exclude(candidates, partners_);
-    } else if (!pairs.empty()) {
+    pairs.collect(world_, slot);
+    if (candidates.uses_minimum_image() && pairs.size() > 0) {
+      predictor_.exclude(candidates, {pairs.slots(), pairs.size()});
+    } else if (pairs.size() > 0) {
       candidates.keep_if([&](std::size_t i) { return !world_.pair_levels().find(slot, candidates.slot(i)); });
     }
   }
@@ -114,17 +118,38 @@ void Forecast<Phase>::plan_if_first(Slot slot, const Event& event, Slot partner)
   if (!uses_minimum_image_) images_[slot] = id(slot) < id(partner) ? event.image : -event.image;
 }
 
+// Lowers the bounds that are planned for a sphere by those of its events with the spheres that are inside of
+// a step with it.
+template <BroadPhase Phase>
+HARDBALL_NEVER_INLINE void Forecast<Phase>::plan_bounded_pairs(StepCandidates& pairs) {
+  const Slot slot = pairs.self();
+  const bool can_be_bounded =
+      are_steps_bounded_ && compact_.is_bounded(slot) && pairs.size() <= BoundKeys::kMax;
+  if (!can_be_bounded || !plan(slot).is_bound()) return plan_pairs(pairs);
+  if (pairs.size() == 0) return;
+  counters_.predictions += pairs.size();
+  pairs.find_distances_for_bounds(world_, compact_);
+  const BoundedContacts found = predictor_.bound_steps(compact_, pairs, now_);
+  check_bounds(*this, pairs, found);
+  if (!found.happens()) return;
+  Plan& own = mutable_plan(slot);
+  if (own.contact() <= found.least) return own.lower_safe_until(found.least);
+  own.set_bound(found.least, std::min(found.second, own.contact()), found.partner,
+                compact_.revision(found.partner));
+}
+
 // Plans the next event of a sphere with those that are inside of a step with it, if it comes before what is
 // planned.
 template <BroadPhase Phase>
-HARDBALL_NEVER_INLINE void Forecast<Phase>::plan_pairs(Slot slot) {
-  step_candidates_.collect(world_, slot);
-  counters_.predictions += step_candidates_.size();
-  const EarliestContact found = predictor_.earliest_step(world_, slot, step_candidates_, now_);
+HARDBALL_NEVER_INLINE void Forecast<Phase>::plan_pairs(StepCandidates& pairs) {
+  const Slot slot = pairs.self();
+  counters_.predictions += pairs.size();
+  pairs.find_distances(world_);
+  const EarliestContact found = predictor_.earliest_step(world_, pairs, now_);
   if (!(found.high < kNever.high)) return;
   Plan& own = mutable_plan(slot);
   if (own.is_bound() && own.contact() <= found.high) return own.lower_safe_until(found.high);
-  const PairLevel first = found.is_tied ? first_in_order(slot) : world_.pair_levels().of(slot)[found.index];
+  const PairLevel first = found.is_tied ? first_in_order(slot) : pairs.pairs()[found.index];
   const Image image = nearest_image(world_, slot, first.partner, now_);
   const Time time =
       found.is_tied ? next_pair_event(world_, slot, first, image).time : Time{found.high, found.low};

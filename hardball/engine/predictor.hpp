@@ -26,6 +26,13 @@ struct BoundedContacts {
   bool happens() const { return least < kNever.high; }
 };
 
+/// Those of the same sphere with all others, given with two sets that have none in common.
+inline BoundedContacts all_of(const BoundedContacts& some, const BoundedContacts& others) {
+  return some.least <= others.least
+             ? BoundedContacts{some.least, std::min(some.second, others.least), some.partner}
+             : BoundedContacts{others.least, std::min(others.second, some.least), others.partner};
+}
+
 /// Pairs of spheres and when they touch.
 struct PairContacts {
   std::size_t count = 0;
@@ -124,10 +131,9 @@ class Predictor {
 
   /// The earliest event of a sphere with those that are inside of a step with it, by time alone; if another
   /// is as early, is_tied. Cost: O(size).
-  EarliestContact earliest_step(const World& world, Slot slot, const StepCandidates& candidates,
-                                const Time& now) const {
+  EarliestContact earliest_step(const World& world, const StepCandidates& candidates, const Time& now) const {
     return kernels_->earliest_step({.paths = world.paths().data(),
-                                    .self = slot,
+                                    .self = candidates.self(),
                                     .others = candidates.slots(),
                                     .inner = candidates.inner(),
                                     .outer = candidates.outer(),
@@ -172,6 +178,21 @@ class Predictor {
     return {contacts_of(keys[0], copies, one, base), contacts_of(keys[1], copies, other, base)};
   }
 
+  /// The next events of a sphere with those that are inside of a step with it, whose distances for bounds
+  /// have been found. Precondition: they are no more than BoundKeys::kMax and no farther apart than
+  /// candidates, and the sphere has been copied at `now` and is bounded.
+  BoundedContacts bound_steps(const CompactPaths& copies, const StepCandidates& candidates,
+                              const Time& now) const {
+    const double base = rounded_down(now);
+    const BoundKeys keys = kernels_->bound_steps(copies.scale(), copies.paths().data(),
+                                                 {.self = candidates.self(),
+                                                  .others = candidates.slots(),
+                                                  .inner = candidates.inner_for_bounds(),
+                                                  .outer = candidates.outer_for_bounds(),
+                                                  .count = candidates.size()});
+    return contacts_of(keys, copies, candidates, base);
+  }
+
   /// Computes the contact times of pairs, whose images nearest at `now` are meant.
   void compute(const World& world, const Time& now, PairContacts& pairs) const;
 
@@ -188,7 +209,7 @@ class Predictor {
             .slide = slide};
   }
   static BoundedContacts contacts_of(const BoundKeys& keys, const CompactPaths& copies,
-                                     const Candidates& candidates, double base) {
+                                     const auto& candidates, double base) {
     if (!BoundKeys::touches(keys.first)) return {kNever.high, kNever.high, candidates.self()};
     const double unit = copies.time_unit();
     return {base + unit * static_cast<double>(BoundKeys::wait(keys.first)),

@@ -70,7 +70,20 @@ struct BoundQuery {
 using BoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
                                   const BoundQuery& query);
 
-/// The same for two spheres at once: the processor works on both at a time.
+/// A sphere, and those that are inside of a step of a potential with it, padded likewise, on straight paths.
+struct StepBoundQuery {
+  std::uint32_t self;
+  const std::uint32_t* others;
+  const float* inner;  ///< The next step or the core inwards, rounded up; zero if there is none [L].
+  const float* outer;  ///< The next step outwards, rounded down [L].
+  std::size_t count;   ///< At most BoundKeys::kMax.
+};
+
+/// Bounds the waits until a sphere and those come to a step.
+using StepBoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths,
+                                      const StepBoundQuery& query);
+
+/// The same as BoundKernel for two spheres at once: the processor works on both at a time.
 using BoundPairKernel = std::array<BoundKeys, 2> (*)(const BoundScale& scale, const CompactPath* paths,
                                                      const float* radii, const BoundQuery& one,
                                                      const BoundQuery& other);

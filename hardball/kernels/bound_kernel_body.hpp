@@ -78,26 +78,25 @@ struct Slides {
   Floats velocity;
 };
 
-/// Lower bounds of the waits for Floats::kWidth candidates, as bits with room for their indices; infinite for
-/// those that will not touch, and for the sphere itself. Source: docs/bounds.md, in the order of its steps.
+/// A sphere in each lane as seen from the one in all lanes, when that was copied.
+template <class Floats>
+struct RelativeMotion {
+  VectorOf<Floats> position, velocity;
+};
+
 template <BoundedMotion kind, class Floats>
-HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& scale,
-                                                             const CompactPath* paths, const float* radii,
-                                                             const BoundedSphere<Floats>& own,
-                                                             const BoundQuery& query,
-                                                             const std::uint32_t* others) {
+HARDBALL_ALWAYS_INLINE RelativeMotion<Floats> relative_motion(const BoundScale& scale,
+                                                              const BoundedSphere<Floats>& own,
+                                                              CompactPathsOfLanes<Floats>& other,
+                                                              std::int32_t slide) {
   constexpr bool has_gravity = kind == BoundedMotion::falling;
   using Integers = typename Floats::Integers;
-  const Floats zero(0.0F);
-  CompactPathsOfLanes<Floats> other;
-  Floats::load(paths, others, other);
   [[maybe_unused]] Floats slide_velocity;
   if constexpr (kind == BoundedMotion::sheared) {
-    const Slides<Floats> slides(scale, query.slide, own.y, other.y);
+    const Slides<Floats> slides(scale, slide, own.y, other.y);
     other.x = other.x + slides.steps;
     slide_velocity = slides.velocity;
   }
-
   // Differences of positions are taken modulo 2^32, and so lead to the nearest image.
   const Floats age = to_floats(own.tick - other.tick) * Floats(scale.tick);
   // The other's velocity when it is `age` old.
@@ -109,29 +108,35 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
   const auto apart = [&](const Integers& steps, const Floats& velocity, std::size_t axis) {
     return multiply_add(at_age(velocity, half_age, axis), age, to_floats(steps) * Floats(scale.grid[axis]));
   };
-  const VectorOf<Floats> r{apart(other.x - own.x, other.velocity.x, 0),
-                           apart(other.y - own.y, other.velocity.y, 1),
-                           apart(other.z - own.z, other.velocity.z, 2)};
-  VectorOf<Floats> v{at_age(other.velocity.x, age, 0) - own.velocity.x,
-                     at_age(other.velocity.y, age, 1) - own.velocity.y,
-                     at_age(other.velocity.z, age, 2) - own.velocity.z};
-  if constexpr (kind == BoundedMotion::sheared) v.x = v.x + slide_velocity;
-  const auto dot_plus = [](const VectorOf<Floats>& a, const VectorOf<Floats>& b, const Floats& addend) {
-    return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply_add(a.z, b.z, addend)));
-  };
-  Floats reach = own.reach;
-  if (radii != nullptr) {
-    reach = reach + Floats::gather(radii, others);
-  } else if (!scale.are_radii_alike) {
-    reach = reach + Floats::pick(scale.radii.data(), other.revision);
-  }
+  RelativeMotion<Floats> relative{
+      {apart(other.x - own.x, other.velocity.x, 0), apart(other.y - own.y, other.velocity.y, 1),
+       apart(other.z - own.z, other.velocity.z, 2)},
+      {at_age(other.velocity.x, age, 0) - own.velocity.x, at_age(other.velocity.y, age, 1) - own.velocity.y,
+       at_age(other.velocity.z, age, 2) - own.velocity.z}};
+  if constexpr (kind == BoundedMotion::sheared) relative.velocity.x = relative.velocity.x + slide_velocity;
+  return relative;
+}
 
+/// a . b + addend.
+template <class Floats>
+HARDBALL_ALWAYS_INLINE Floats dot_plus(const VectorOf<Floats>& a, const VectorOf<Floats>& b,
+                                       const Floats& addend) {
+  return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply_add(a.z, b.z, addend)));
+}
+
+/// Lower bounds of the waits until others come within `reach`, with its allowance; infinite for those that
+/// will not, and where `is_left_out`. Source: docs/bounds.md, in the order of its steps.
+template <BoundedMotion kind, class Floats>
+HARDBALL_ALWAYS_INLINE Floats wait_to_reach(const BoundScale& scale, const RelativeMotion<Floats>& relative,
+                                            Floats reach, float size, const auto& is_left_out) {
+  const auto& [r, v] = relative;
+  const Floats zero(0.0F);
   // Each coefficient is no larger than that of the true quadratic.
   Coefficients<Floats> p;
   if constexpr (kind == BoundedMotion::growing) {
     // From the sizes at the moment of the copy on, at the greatest rate.
     const Floats growth = reach * Floats(scale.growth);
-    reach = multiply_add(reach, Floats(query.size), Floats(scale.reach_allowance));
+    reach = multiply_add(reach, Floats(size), Floats(scale.reach_allowance));
     constexpr float kRoundedUp = 1 + 0x1p-20F;
     constexpr float kRoundedDown = 1 - 0x1p-20F;
     p.approach = dot_plus(r, v, zero - multiply_add(reach, growth, Floats(scale.approach_allowance)));
@@ -154,14 +159,61 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
   const Floats discriminant = multiply_add(
       approach, approach, multiply_add(speed_squared, allowed, Floats(scale.least_discriminant)));
   // NaN, of a candidate too fast to be bounded, passes as touching at once.
-  const auto never = discriminant < zero || (approach >= zero && speed_squared >= zero) ||
-                     Integers::load(others) == own.self;
+  const auto never = discriminant < zero || (approach >= zero && speed_squared >= zero) || is_left_out;
   constexpr float kRoundedDown = 1 - 0x1p-21F;
   constexpr float kNotZero = 0x1p-100F;
   const Floats distance = maximum(excess * Floats(kRoundedDown), zero);
   const Floats wait =
       distance / (square_root(maximum(discriminant, Floats(kNotZero))) - minimum(approach, zero));
-  return bits_of(select(never, Floats(std::numeric_limits<float>::infinity()), wait)) &
+  return select(never, Floats(std::numeric_limits<float>::infinity()), wait);
+}
+
+/// Lower bounds of the waits until others that are within `reach` leave it, or are at rest beyond it; zero of
+/// paths that are too fast to be bounded. Source: docs/bounds.md, on steps.
+template <class Floats>
+HARDBALL_ALWAYS_INLINE Floats wait_to_leave(const BoundScale& scale, const RelativeMotion<Floats>& relative,
+                                            const Floats& reach) {
+  const auto& [r, v] = relative;
+  const Floats zero(0.0F);
+  constexpr float kRoundedUp = 1 + 0x1p-20F;
+  constexpr float kRoundedDown = 1 - 0x1p-20F;
+  constexpr float kRoundedMore = 0x1p-18F;
+  // Each coefficient is no less than that of the true quadratic.
+  const Floats nearer = reach - Floats(scale.reach_allowance);
+  const Floats recession = dot_plus(r, v, Floats(scale.approach_allowance));
+  const Floats speed_squared = dot_plus(v, v, zero) * Floats(kRoundedUp);
+  const Floats excess = dot_plus(r, r, Floats(scale.square_allowance) - nearer * nearer);
+  const Floats square = recession * recession;
+  const Floats product = speed_squared * excess;
+  const Floats error = (square + maximum(product, zero - product)) * Floats(kRoundedMore);
+  const Floats discriminant = square - product;
+  // What comes nearer first leaves at the later root, or when it is nearest.
+  const Floats later_root = (square_root(maximum(discriminant - error, zero)) - recession) / speed_squared;
+  const Floats only_root =
+      maximum(zero - excess, zero) / (recession + square_root(maximum(discriminant + error, zero)));
+  const Floats wait = select(recession < zero, later_root, only_root);
+  return maximum(wait * Floats(kRoundedDown), zero);
+}
+
+/// The same waits as bits with room for the indices of candidates; infinite for the sphere itself, too.
+template <BoundedMotion kind, class Floats>
+HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& scale,
+                                                             const CompactPath* paths, const float* radii,
+                                                             const BoundedSphere<Floats>& own,
+                                                             const BoundQuery& query,
+                                                             const std::uint32_t* others) {
+  using Integers = typename Floats::Integers;
+  CompactPathsOfLanes<Floats> other;
+  Floats::load(paths, others, other);
+  const RelativeMotion<Floats> relative = relative_motion<kind>(scale, own, other, query.slide);
+  Floats reach = own.reach;
+  if (radii != nullptr) {
+    reach = reach + Floats::gather(radii, others);
+  } else if (!scale.are_radii_alike) {
+    reach = reach + Floats::pick(scale.radii.data(), other.revision);
+  }
+  const auto is_self = Integers::load(others) == own.self;
+  return bits_of(wait_to_reach<kind>(scale, relative, reach, query.size, is_self)) &
          Integers(~BoundKeys::kIndex);
 }
 
@@ -193,7 +245,7 @@ HARDBALL_ALWAYS_INLINE void find_keys(const BoundScale& scale, const CompactPath
 }
 
 template <class Floats, bool is_single>
-HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundQuery& query, const Keys<Floats, is_single>& keys) {
+HARDBALL_ALWAYS_INLINE BoundKeys least_two(const auto& query, const Keys<Floats, is_single>& keys) {
   using Integers = typename Floats::Integers;
   const Integers forever(BoundKeys::kForever);
   const std::uint32_t first = least_of(keys.least);
@@ -282,6 +334,35 @@ std::array<BoundKeys, 2> bound_contacts_of_two(const BoundScale& scale, const Co
     return bound_contacts_of_two_moving<Floats, falling>(scale, paths, radii, one, other);
   if (scale.has_shear) return bound_contacts_of_two_moving<Floats, sheared>(scale, paths, radii, one, other);
   return bound_contacts_of_two_moving<Floats, straight>(scale, paths, radii, one, other);
+}
+
+/// The kernel for steps.
+template <class Floats>
+BoundKeys bound_steps(const BoundScale& scale, const CompactPath* paths, const StepBoundQuery& query) {
+  using Integers = typename Floats::Integers;
+  const Floats zero(0.0F);
+  const Floats forever(std::numeric_limits<float>::infinity());
+  const BoundedSphere<Floats> own(scale, paths[query.self], nullptr, query.self);
+  Integers indices = Integers::ascending();
+  Keys<Floats, false> keys;
+  keys.least = Integers(BoundKeys::kForever);
+  for (std::size_t i = 0; i < query.count; i += Floats::kWidth) {
+    CompactPathsOfLanes<Floats> other;
+    Floats::load(paths, query.others + i, other);
+    const RelativeMotion<Floats> relative = relative_motion<BoundedMotion::straight>(scale, own, other, 0);
+    const Floats inner = Floats::load(query.inner + i);
+    const auto has_none = inner < Floats(std::numeric_limits<float>::min());
+    const Floats inward = wait_to_reach<BoundedMotion::straight>(
+        scale, relative, inner + Floats(scale.reach_allowance), 1, has_none);
+    const Floats outward = wait_to_leave(scale, relative, Floats::load(query.outer + i));
+    const auto is_self = Integers::load(query.others + i) == own.self;
+    const Floats wait = select(is_self, forever, minimum(inward, outward));
+    const Integers key = (bits_of(wait) & Integers(~BoundKeys::kIndex)) | indices;
+    indices = indices + Integers(static_cast<std::uint32_t>(Floats::kWidth));
+    key.store(keys.all + i);
+    keys.least = minimum(keys.least, key);
+  }
+  return least_two(query, keys);
 }
 
 }  // namespace hardball

@@ -71,6 +71,7 @@ struct Floats {
   Floats(__m256 vector) : v(vector) {}
   explicit Floats(float value) : v(_mm256_set1_ps(value)) {}
 
+  static Floats load(const float* values) { return _mm256_loadu_ps(values); }
   static Floats gather(const float* values, const std::uint32_t* at) {
     return _mm256_setr_ps(values[at[0]], values[at[1]], values[at[2]], values[at[3]], values[at[4]],
                           values[at[5]], values[at[6]], values[at[7]]);

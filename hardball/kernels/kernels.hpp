@@ -16,6 +16,7 @@ struct Kernels {
   StepKernel earliest_step;
   BoundKernel bound_contacts;
   BoundPairKernel bound_contacts_of_two;
+  StepBoundKernel bound_steps;
   NearKernel pick_near;
   DifferenceKernel find_differences;
   ExcludeKernel exclude;

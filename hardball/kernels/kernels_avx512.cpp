@@ -46,6 +46,7 @@ const Kernels kAvx512Kernels{.earliest_contact = earliest_contact<Lanes>,
                              .earliest_step = earliest_step<Lanes>,
                              .bound_contacts = bound_contacts<Floats>,
                              .bound_contacts_of_two = bound_contacts_of_two<Floats>,
+                             .bound_steps = bound_steps<Floats>,
                              .pick_near = pick_near<Floats>,
                              .find_differences = find_differences<Floats>,
                              .exclude = exclude<Floats>};

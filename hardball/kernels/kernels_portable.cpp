@@ -143,6 +143,7 @@ struct Floats {
   Floats(Vector vector) : v(vector) {}
   explicit Floats(float value) : v{value, value, value, value} {}
 
+  static Floats load(const float* values) { return Vector{values[0], values[1], values[2], values[3]}; }
   static Floats gather(const float* values, const std::uint32_t* at) {
     return Vector{values[at[0]], values[at[1]], values[at[2]], values[at[3]]};
   }
@@ -244,6 +245,7 @@ const Kernels kPortableKernels{.earliest_contact = earliest_contact<Lanes>,
                                .earliest_step = earliest_step<Lanes>,
                                .bound_contacts = bound_contacts<Floats>,
                                .bound_contacts_of_two = bound_contacts_of_two<Floats>,
+                               .bound_steps = bound_steps<Floats>,
                                .pick_near = pick_near<Floats>,
                                .find_differences = find_differences<Floats>,
                                .exclude = exclude<Floats>};

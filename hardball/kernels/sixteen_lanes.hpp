@@ -63,6 +63,7 @@ struct Floats {
   Floats(__m512 vector) : v(vector) {}
   explicit Floats(float value) : v(_mm512_set1_ps(value)) {}
 
+  static Floats load(const float* values) { return _mm512_loadu_ps(values); }
   static Floats gather(const float* values, const std::uint32_t* at) {
     return _mm512_i32gather_ps(_mm512_loadu_si512(at), values, sizeof(float));
   }

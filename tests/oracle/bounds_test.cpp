@@ -12,6 +12,8 @@
 
 #include "hardball/bounds/compact_paths.hpp"
 #include "hardball/engine/predictor.hpp"
+#include "hardball/engine/step_candidates.hpp"
+#include "hardball/interaction/step_potential.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/world/sphere_edit.hpp"
 #include "support/effort.hpp"
@@ -399,6 +401,91 @@ std::vector<Regime> all_regimes() {
       {.name = "Late", .start = 1e10},
       {.name = "LateInASmallBox", .farthest = 1.35, .box = 4.2, .slowest = 1e-3, .start = 1e10},
   };
+}
+
+// A sphere in slot 0 and others that are inside of steps with it: anywhere, at the edges, going in and out,
+// grazing; on paths that have begun some time before.
+World make_wells(Random& random, const Time& now) {
+  StepRules rules{.steps = {{.ratio = 1.6, .energy = -1}}};
+  if (random.uniform() < 0.5) rules.steps.insert(rules.steps.begin(), {.ratio = 1.3, .energy = -2});
+  if (random.uniform() < 0.3) rules.core = 0;
+  StepTable table;
+  table.set_for_all(StepPotential(rules));
+  Interactions interactions;
+  interactions.set_steps(table);
+  World world(Box::periodic({9, 8, 10}));
+  world.set_interactions(interactions);
+  const bool is_mixed = random.uniform() < 0.5;
+  const auto radius = [&] { return is_mixed ? 0.3 + 0.2 * random.uniform() : 0.5; };
+  const auto speed = [&] { return std::pow(10, -3 * random.uniform()); };
+  const Vec3 place{9 * random.uniform(), 8 * random.uniform(), 10 * random.uniform()};
+  const double own_radius = radius();
+  world.add({place, speed() * random.direction(), own_radius, 1}, now);
+  for (Slot other = 1; other <= kOthers; ++other) {
+    const double other_radius = radius();
+    const double outer = 1.6 * (own_radius + other_radius);
+    const double inner = rules.core * (own_radius + other_radius);
+    const double edge = random.uniform();
+    const double distance = edge < 0.2   ? outer * (1 - std::pow(10, -3 - 12 * random.uniform()))
+                            : edge < 0.4 ? inner * (1 + std::pow(10, -3 - 12 * random.uniform()))
+                                         : inner + (outer - inner) * random.uniform();
+    const Vec3 along = random.direction();
+    Vec3 velocity = speed() * random.direction();
+    // Along the line of centers, or nearly across it.
+    if (random.uniform() < 0.3) velocity = (random.uniform() < 0.5 ? 1 : -1) * length(velocity) * along;
+    if (random.uniform() < 0.3) velocity -= (1 - 1e-6) * dot(velocity, along) * along;
+    world.add({place + distance * along, world.path(0).velocity + velocity, other_radius, 1}, now);
+  }
+  world.assign_levels(now);
+  for (Slot slot = 1; slot < world.size(); ++slot) {
+    Path path = world.path(slot);
+    const double age = random.uniform() < 0.5 ? 0 : random.uniform() * 0.2;
+    path.time = after(now, -age);
+    path.position = path.position - age * path.velocity;
+    SphereEdit(world, path.time, slot).store_path(slot, path, {});
+  }
+  return world;
+}
+
+TEST(StepBounds, AreNeverLate) {
+  std::vector<Predictor> predictors;
+  for (const InstructionSet set : support::available_instruction_sets()) predictors.emplace_back(set);
+  std::uint64_t pairs_bounded = 0;
+  std::vector<double> early;
+  const std::uint64_t worlds = support::cases(50000);
+  for (std::uint64_t seed = 0; seed < worlds; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const Time now(seed % 3 == 0 ? 1e6 * random.uniform() : random.uniform());
+    const World world = make_wells(random, now);
+    CompactPaths copies;
+    copies.reset(world, 2, now);
+    for (Slot slot = 1; slot < world.size(); ++slot)
+      copies.copy(world, slot, random.uniform() < 0.5 ? now : world.path(slot).time);
+    StepCandidates pairs;
+    pairs.collect(world, 0);
+    pairs.find_distances_for_bounds(world, copies);
+    for (const Predictor& predictor : predictors) {
+      const BoundedContacts found = predictor.bound_steps(copies, pairs, now);
+      ASSERT_LE(found.least, found.second);
+      for (const PairLevel& pair : pairs.pairs()) {
+        const Time time = next_pair_event(world, 0, pair, nearest_image(world, 0, pair.partner, now)).time;
+        // What would have happened before is not asked for.
+        if (time < now) continue;
+        const bool is_first = pair.partner == found.partner;
+        ASSERT_LE(is_first ? found.least : found.second, time.high) << "slot " << pair.partner;
+        ++pairs_bounded;
+        const double speed = length(world.path(pair.partner).velocity - world.path(0).velocity);
+        if (is_first && time < kNever) early.push_back((time.high - found.least) * speed);
+      }
+    }
+  }
+  EXPECT_GT(pairs_bounded, 8 * worlds * predictors.size());
+  // Bounds are sharp, too.
+  const auto middle = early.begin() + static_cast<std::ptrdiff_t>(early.size() / 2);
+  std::nth_element(early.begin(), middle, early.end());
+  support::record("early", *middle);
+  EXPECT_LT(*middle, 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Regimes, Bounds, testing::ValuesIn(all_regimes()),

@@ -208,6 +208,49 @@ TEST(Steps, GiveTheDiluteGasItsSecondVirialCoefficient) {
               support::kIsSlowBuild ? 0.015 : 0.005);
 }
 
+// A reference state: 864 spheres at a density of .0382 and kT = 2.005, in units of the depth of their wells.
+TEST(Steps, GiveADiluteGasOfWellsItsEnergyAndRates) {
+  const std::size_t spheres = 864;
+  const double depth = 1 / 1.93;  // falling into wells heats the gas
+  const Equilibrium found =
+      equilibrium_of(fluid(spheres, 0.0382, {.steps = {{1.5, -depth}}}), support::cases(2'000'000));
+  EXPECT_NEAR(found.temperature / depth, 2.005, 0.02);
+  const double per_sphere = 2 / found.duration / static_cast<double>(spheres) / std::sqrt(depth);
+  const double tolerance = support::kIsSlowBuild ? 0.05 : 0.02;
+  EXPECT_NEAR(found.energy_per_sphere / depth, -0.307, 0.307 * tolerance);
+  EXPECT_NEAR(static_cast<double>(found.counts.cores) * per_sphere, 0.630, 0.630 * tolerance);
+  EXPECT_NEAR(static_cast<double>(found.counts.came_in) * per_sphere, 0.844, 0.844 * tolerance);
+}
+
+// How many others stick to a sphere, by the Percus-Yevick approximation. Source: Baxter, J. Chem. Phys. 49
+// (1968) 2770.
+double sticking(double stickiness, double packing_fraction) {
+  const double eta = packing_fraction;
+  const double tau = 1 / stickiness;
+  const double b = tau + eta / (1 - eta);
+  const double contact = (b - std::sqrt(b * b - eta / 3 * (1 + eta / 2) / ((1 - eta) * (1 - eta)))) * 6 / eta;
+  return 2 * eta * contact;
+}
+
+// In the limit of narrow wells only the stickiness matters. Besides those that stick there are as many within
+// the well as there would be without it.
+TEST(Steps, OfNarrowWellsMakeSpheresStick) {
+  for (const double packing_fraction : {0.1, 0.3}) {
+    const double range = 1.01;
+    const double depth = 3.5;
+    const World start = fluid(500, packing_fraction * 6 / kPi, {.steps = {{range, -depth}}});
+    const Equilibrium found = equilibrium_of(start, support::cases(4'000'000));
+    const double boltzmann = std::exp(depth / found.temperature);
+    const double stickiness = 4 * (range * range * range - 1) * (boltzmann - 1);
+    const double within = -2 * found.energy_per_sphere / depth;
+    EXPECT_GT(stickiness, 0.5);
+    // The approximation and the width of the well are good to a percent each.
+    EXPECT_NEAR(within * (1 - 1 / boltzmann) / sticking(stickiness, packing_fraction), 1,
+                support::kIsSlowBuild ? 0.1 : 0.03)
+        << stickiness;
+  }
+}
+
 // Three beads with walls all around: for ever within their tethers.
 TEST(Tethers, HoldForManyEvents) {
   World world({{Boundary::wall, Boundary::wall, Boundary::wall}, {4, 4, 4}});
