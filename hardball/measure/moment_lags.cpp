@@ -61,7 +61,7 @@ Estimate MomentLags::slope(std::size_t level) const {
   });
 }
 
-MomentLags::Plateau MomentLags::plateau(double least_lag) const {
+MomentLags::Plateau MomentLags::plateau(double least_lag, double wanted_lag) const {
   constexpr double kLeastLags = 16;
   constexpr double kByChance = 2;
   std::vector<Estimate> slopes;
@@ -91,7 +91,7 @@ MomentLags::Plateau MomentLags::plateau(double least_lag) const {
     const double beyond_chance = std::max(0.0, change.value * change.value - change.error * change.error);
     const double error = std::hypot(slopes[level].error, std::sqrt(beyond_chance));
     found = {{slopes[level].value, error}, lag(level), {}};
-    if (agrees_with_next(level) && agrees_with_next(level + 1)) break;
+    if (lag(level) >= wanted_lag && agrees_with_next(level) && agrees_with_next(level + 1)) break;
   }
   if (found.lag == 0) found.reason = "the run is too short for a lag at which correlations are over";
   return found;

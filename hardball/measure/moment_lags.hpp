@@ -47,8 +47,9 @@ class MomentLags {
   Estimate slope(std::size_t level) const;
   /// The slope at the first lag from which three agree within their errors, or the last that is known. The
   /// error consists of that of the mean, and of the change to the next lag as far as that is more than
-  /// chance. Lags are no shorter than `least_lag` [T], and the run is at least 32 times as long.
-  Plateau plateau(double least_lag) const;
+  /// chance. Lags are no shorter than `wanted_lag` [T], or where the run is not 32 times as long, than
+  /// `least_lag` [T]. The run is at least 32 times as long as the lag.
+  Plateau plateau(double least_lag, double wanted_lag) const;
 
  private:
   friend class Persistence;

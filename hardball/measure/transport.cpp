@@ -173,10 +173,15 @@ constexpr const char* kSource =
     "Helfand, Phys. Rev. 119 (1960) 1; Alder, Gass and Wainwright, J. Chem. Phys. 53 (1970) 3813; Enskog: "
     "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, chapter 16";
 
-// After so many mean free times what is left of correlations decays slowly: of all spheres together, and of
-// single ones, whose velocities last longer.
-constexpr double kLeastFreeTimes = 8;
-constexpr double kLeastFreeTimesOfOne = 16;
+// After so many mean free times what is left of correlations decays slowly. The velocities of single spheres
+// last longer than what all have together: at high density they change the slope by another percent after the
+// least time, which matters where runs are long enough to know it so well.
+struct FreeTimes {
+  double least;
+  double wanted;
+};
+constexpr FreeTimes kFreeTimesOfAll{8, 8};
+constexpr FreeTimes kFreeTimesOfOne{16, 32};
 
 std::string obstacle_of(const Scene& scene) {
   const World& world = scene.world();
@@ -192,7 +197,7 @@ std::string obstacle_of(const Scene& scene) {
 
 // The curve, what it ends in, and where that was read. `scale`: by which slopes are multiplied.
 void add_coefficient(Measurement& found, const MomentLags& lags, const TransportConditions& conditions,
-                     const Scene& scene, double least_free_times, double scale, Quantity quantity,
+                     const Scene& scene, const FreeTimes& free_times, double scale, Quantity quantity,
                      double enskog) {
   const std::string unit = quantity.unit;
   Column lag{"lag", "T", ColumnRole::argument, {}};
@@ -208,7 +213,8 @@ void add_coefficient(Measurement& found, const MomentLags& lags, const Transport
   quantity.reason = conditions.objection(scene);
   MomentLags::Plateau plateau;
   if (quantity.reason.empty()) {
-    plateau = lags.plateau(least_free_times * conditions.mean_free_time);
+    plateau = lags.plateau(free_times.least * conditions.mean_free_time,
+                           free_times.wanted * conditions.mean_free_time);
     quantity.reason = plateau.reason;
     quantity.value = scale * plateau.slope.value;
     quantity.error = scale * plateau.slope.error;
@@ -307,7 +313,7 @@ Measurement CollectiveTransport<kCoefficient>::result(const Scene& scene) const 
   const double expected = kind.expected(conditions_.theory, temperature);
   const double scale = conditions_.obstacle.empty() ? kind.scale(conditions_, temperature) : kNoNumber;
   add_coefficient(
-      found, lags, conditions_, scene, kLeastFreeTimes, scale,
+      found, lags, conditions_, scene, kFreeTimesOfAll, scale,
       {.name = kind.quantity, .unit = kind.unit, .theory = expected, .tolerance = kind.tolerance * expected},
       kind.enskog(conditions_.theory, temperature));
   return found;
@@ -360,7 +366,7 @@ Measurement SelfDiffusion::result(const Scene& scene) const {
   const FluidTheory& theory = conditions_.theory;
   const double temperature = conditions_.motion.temperature();
   const double expected = theory.diffusion(temperature);
-  add_coefficient(found, lags_, conditions_, scene, kLeastFreeTimesOfOne, 1 / (2 * conditions_.dimensions),
+  add_coefficient(found, lags_, conditions_, scene, kFreeTimesOfOne, 1 / (2 * conditions_.dimensions),
                   {.name = "diffusion_constant",
                    .unit = "L^2 T^-1",
                    .theory = expected,

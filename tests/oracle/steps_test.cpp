@@ -154,7 +154,7 @@ TEST_P(StepsAgree, OnRandomWorlds) {
       try {
         Simulation simulation(made.world, variant.options);
         const double before = simulation.world().energy(simulation.now());
-        const bool is_split = expected && variant.name == variants.back().name;
+        const bool is_split = expected && &variant == &variants[1 + seed % (variants.size() - 1)];
         Outcome outcome;
         if (is_split) {
           const History history = support::run_in_pieces(simulation, limits, random);

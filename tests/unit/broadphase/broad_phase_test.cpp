@@ -206,35 +206,28 @@ TEST(CellGrid, KnowsWhoMayTouch) {
   }
 }
 
-TEST(NeighborList, KnowsWhoMayTouch) {
+// With skins from the least to the most that boxes allow.
+void fly_about_with_lists(support::RandomWorld (*make)(std::uint64_t), std::uint64_t worlds) {
   std::uint64_t suited = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(1000); ++seed) {
-    const support::RandomWorld made = support::make_random_world(seed);
+  for (std::uint64_t seed = 0; seed < worlds; ++seed) {
+    const support::RandomWorld made = make(seed);
     if (made.world.size() == 0 || !NeighborList::supports(made.world)) continue;
     ++suited;
     SCOPED_TRACE(made.name);
-    // From the least skin to the most the box allows.
     constexpr std::array kSkins = {0.01, 0.1, 0.5, 2.0, 20.0};
     const double skin = made.world.largest_radius() * kSkins[seed % kSkins.size()];
     fly_about(CopyingList(skin), made.world, made.until, seed);
-    if (HasFailure()) return;
+    if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(suited, support::cases(1000) / 3);
+  EXPECT_GT(suited, worlds / 3);
+}
+
+TEST(NeighborList, KnowsWhoMayTouch) {
+  fly_about_with_lists(support::make_random_world, support::cases(1000));
 }
 
 TEST(NeighborList, KnowsWhoMayTouchWhereImagesSlide) {
-  std::uint64_t suited = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
-    const support::RandomWorld made = support::make_sheared_world(seed);
-    if (made.world.size() == 0 || !NeighborList::supports(made.world)) continue;
-    ++suited;
-    SCOPED_TRACE(made.name);
-    constexpr std::array kSkins = {0.01, 0.1, 0.5, 2.0, 20.0};
-    const double skin = made.world.largest_radius() * kSkins[seed % kSkins.size()];
-    fly_about(CopyingList(skin), made.world, made.until, seed);
-    if (HasFailure()) return;
-  }
-  EXPECT_GT(suited, support::cases(300) / 3);
+  fly_about_with_lists(support::make_sheared_world, support::cases(300));
 }
 
 TEST(ShearedCells, KnowsWhoMayTouch) {

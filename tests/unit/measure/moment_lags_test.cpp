@@ -63,7 +63,7 @@ TEST(MomentLags, HasTheSlopesOfAllIncrements) {
 TEST(MomentLags, EndsInTheSumOfAllCorrelations) {
   for (const double mean : {0.0, 40.0}) {
     const MomentLags lags = lags_of(correlated_steps(400000, mean), 1, mean != 0);
-    const MomentLags::Plateau plateau = lags.plateau(4);
+    const MomentLags::Plateau plateau = lags.plateau(4, 4);
     EXPECT_EQ(plateau.reason, "");
     EXPECT_GE(plateau.lag, 16) << "by then correlations are over";
     EXPECT_NEAR(plateau.slope.value, 25, 3 * plateau.slope.error);
@@ -71,11 +71,17 @@ TEST(MomentLags, EndsInTheSumOfAllCorrelations) {
   }
 }
 
+TEST(MomentLags, TakesALagAsLongAsWantedIfTheRunAllows) {
+  const MomentLags lags = lags_of(correlated_steps(1000, 0), 1, false);
+  EXPECT_GE(lags.plateau(4, 16).lag, 16);
+  EXPECT_EQ(lags.plateau(4, 64).lag, 16) << "the run is 62 times as long";
+}
+
 TEST(MomentLags, SaysWhyThereIsNoPlateau) {
   const MomentLags lags = lags_of(correlated_steps(200, 0), 1, false);
-  EXPECT_NE(lags.plateau(8).reason, "");
-  EXPECT_TRUE(std::isnan(lags.plateau(8).slope.value));
-  EXPECT_NE(MomentLags(1, {1}).plateau(1).reason, "");
+  EXPECT_NE(lags.plateau(8, 8).reason, "");
+  EXPECT_TRUE(std::isnan(lags.plateau(8, 8).slope.value));
+  EXPECT_NE(MomentLags(1, {1}).plateau(1, 1).reason, "");
 }
 
 }  // namespace
