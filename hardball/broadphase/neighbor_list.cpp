@@ -54,7 +54,7 @@ double farthest_neighbors(double largest_radius, double skin, double slide) {
 
 // The duration of a list in ticks, the last of which may be cut short.
 constexpr std::uint32_t kTicksOfList = 1U << 20;
-constexpr double kRoundedDown = 1 - 1e-6;
+constexpr double kCutShort = 1 - 1e-6;
 
 // Rows slide by no more than this multiple of the skin before lists expire.
 constexpr double kMostSlide = 1.5;
@@ -124,7 +124,7 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   const double speed_of_rows = rows_.speed_of_step();
   duration_ = speed_of_rows > 0 ? slide / speed_of_rows : kNever.high;
   built_ = now;
-  time_of_tick_ = kRoundedDown * duration_ / (kTicksOfList + 1);
+  time_of_tick_ = kCutShort * duration_ / (kTicksOfList + 1);
   ticks_per_time_ = 1 / time_of_tick_;
   const double apart = farthest + 2 * margin;
   if (rows_.are_present()) {
