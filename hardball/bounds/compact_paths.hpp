@@ -111,7 +111,6 @@ class CompactPaths {
   /// The units of the compact paths [L], [T].
   double length_unit() const { return length_unit_; }
   double time_unit() const { return time_unit_; }
-  double speed_unit() const { return 1 / per_speed_; }
   /// The largest radii of the epoch by slot, in units, rounded up; null if all are `radius(0)`.
   const float* radii() const { return radii_.empty() ? nullptr : radii_.data(); }
   /// The same for bounds; null if scale() has all.
