@@ -76,19 +76,10 @@ double CompactPaths::least_farthest(const Box& box) {
   return box.is_sheared() ? box.size().y / (kGridStep * kRing) : 0;
 }
 
-// Copies the image that is in a sheared box.
-void CompactPaths::copy_in_box(const Box& box, Slot slot, const Time& now, State state) {
+// To the image that is in a sheared box, and is not rounded into the next.
+void CompactPaths::fold(State& state, const Box& box, const Time& now) const {
   box.fold(state.position, state.velocity, now);
-  // Not rounded into the next box.
-  state.position.y = std::clamp(state.position.y, 0.0, (kRing - 1) * step_.y);
-  copy(slot, now, state);
-}
-
-std::int32_t CompactPaths::sliding_at(const Time& moment) const {
-  constexpr double kFewBoxes = 16;
-  const double slid = images_.speed() * duration(epoch_, moment);
-  const bool is_near = std::fabs(slid) <= kFewBoxes * box_width_;
-  return steps_along_x(is_near ? slid_at_epoch_ + slid : images_.displacement_in_box(moment));
+  state.position.y = std::clamp(state.position.y, lowest_in_box_, highest_in_box_);
 }
 
 void CompactPaths::choose_units(const World& world) {
@@ -138,6 +129,9 @@ void CompactPaths::choose_units(const World& world) {
   scale_.has_growth = world.motion().has_growth();
   const double growth = std::max(0.0, growth_.rate * per_scale_ * time_unit_);
   scale_.growth = rounded_up(growth);
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  lowest_in_box_ = box.is_sheared() ? 0 : -kInfinite;
+  highest_in_box_ = box.is_sheared() ? (kRing - 1) * step_.y : kInfinite;
   images_ = box.images();
   box_width_ = box.size().x;
   slid_at_epoch_ = box.is_sheared() ? images_.displacement_in_box(epoch_) : 0;

@@ -48,9 +48,9 @@ class CompactPaths {
 
   /// Copies one path as it is at `now`.
   void copy(const World& world, Slot slot, const Time& now) {
-    const State state = world.motion().state_at(world.path(slot), now);
-    if (scale_.has_shear) [[unlikely]]
-      return copy_in_box(world.box(), slot, now, state);
+    State state = world.motion().state_at(world.path(slot), now);
+    if (!(state.position.y >= lowest_in_box_ && state.position.y <= highest_in_box_)) [[unlikely]]
+      fold(state, world.box(), now);
     copy(slot, now, state);
   }
 
@@ -72,8 +72,9 @@ class CompactPaths {
   /// Whether the copy of one sphere is certainly good for this time [T].
   bool is_good_for(Slot slot, double time) const {
     const auto& v = paths_[slot].velocity;
-    const auto most = static_cast<float>(most_moved_per_time_unit_ / time);
-    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2] < most * most && !scale_.has_gravity &&
+    const auto most = static_cast<float>(most_moved_per_time_unit_);
+    const auto t = static_cast<float>(time);
+    return (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * (t * t) < most * most && !scale_.has_gravity &&
            time < longest_age_;
   }
   /// How long that of one sphere is [T].
@@ -93,10 +94,15 @@ class CompactPaths {
   std::int32_t slide_at(const Time& moment) const {
     if (!scale_.has_shear) [[likely]]
       return 0;
-    return sliding_at(moment);
+    constexpr double kFewBoxes = 16;
+    const double slid = images_.speed() * duration(epoch_, moment);
+    const bool is_near = std::fabs(slid) <= kFewBoxes * box_width_;
+    return steps_along_x(is_near ? slid_at_epoch_ + slid : images_.displacement_in_box(moment));
   }
   /// How fast it moves along x [L/T].
   double slide_speed() const { return images_.speed(); }
+  /// A speed [L/T] in units of the compact paths.
+  float in_units(double speed) const { return static_cast<float>(speed * per_speed_); }
   /// A distance along x in steps, modulo 2^32. Precondition: it is a few boxes at most.
   std::int32_t steps_along_x(double distance) const { return to_integer(distance * steps_per_length_.x); }
 
@@ -144,8 +150,7 @@ class CompactPaths {
   void copy_radii(const World& world);
   void copy_radius(Slot slot, double radius);
   double longest_age_of(Slot slot) const;
-  std::int32_t sliding_at(const Time& moment) const;
-  void copy_in_box(const Box& box, Slot slot, const Time& now, State state);
+  void fold(State& state, const Box& box, const Time& now) const;
   HARDBALL_ALWAYS_INLINE void copy(Slot slot, const Time& now, const State& state) {
     const auto& [position, v] = state;
     const double ticks = duration(epoch_, now) * ticks_per_time_;
@@ -186,6 +191,9 @@ class CompactPaths {
   double greatest_speed_squared_ = 0;
   Time epoch_;
   Growth growth_;
+  // Copies are of the image with a height between these; infinite unless the box is sheared.
+  double lowest_in_box_ = 0;
+  double highest_in_box_ = 0;
   // Of a sheared box:
   SlidingImages images_;
   double box_width_ = 0;

@@ -22,14 +22,19 @@ class CellBlock {
   static constexpr std::uint32_t kCells = 8;
   static constexpr std::array<std::uint32_t, kAxes> kAxisBit{4, 2, 1};
 
+  /// What the lower and the upper cells along an axis contribute to the number of a list.
+  using Parts = std::array<std::uint32_t, 2>;
+  HARDBALL_ALWAYS_INLINE static Parts parts_of(const Subdivision& cells, const CellTable& table,
+                                               std::size_t axis, std::int32_t low) {
+    const std::int32_t index = cells.folded(axis, low);
+    const std::uint32_t lower = table.part(axis, index);
+    return {lower, index + 1 == cells.period(axis) ? 0 : lower + table.stride(axis)};
+  }
+
   /// The block whose lowest cell is `low`.
   HARDBALL_ALWAYS_INLINE CellBlock(const Subdivision& cells, const CellIndex& low, const CellTable& table)
       : table_(table) {
-    for_each_axis([&](auto axis) {
-      const std::int32_t index = cells.folded(axis, low[axis]);
-      const std::uint32_t lower = table.part(axis, index);
-      parts_[axis] = {lower, index + 1 == cells.period(axis) ? 0 : lower + table.stride(axis)};
-    });
+    for_each_axis([&](auto axis) { parts_[axis] = parts_of(cells, table, axis, low[axis]); });
   }
 
   /// The list of a cell.
@@ -38,14 +43,16 @@ class CellBlock {
   /// Calls visit(list) for a set of cells.
   template <class Visit>
   void for_each_list(std::uint32_t cells, Visit&& visit) const {
-    const auto for_each_cell = [cells](auto&& visit_cell) {
-      for (std::uint32_t left = cells; left != 0; left &= left - 1) {
-        visit_cell(static_cast<std::uint32_t>(std::countr_zero(left)));
-      }
-    };
     if (table_.is_shared()) [[unlikely]]
-      return for_each_cell([&](std::uint32_t cell) { visit(list(cell)); });
-    for_each_cell([&](std::uint32_t cell) { visit(sum(cell)); });
+      return for_each_cell(cells, [&](std::uint32_t cell) { visit(list(cell)); });
+    for_each_cell(cells, [&](std::uint32_t cell) { visit(sum(cell)); });
+  }
+
+  /// Calls visit(cell) for each of a set of cells.
+  template <class Visit>
+  static void for_each_cell(std::uint32_t cells, Visit&& visit) {
+    for (std::uint32_t left = cells; left != 0; left &= left - 1)
+      visit(static_cast<std::uint32_t>(std::countr_zero(left)));
   }
 
   /// Cell `from` and its upper neighbors along `axes`, none of which `from` contains.
@@ -69,7 +76,7 @@ class CellBlock {
   }
 
   const CellTable& table_;
-  std::array<std::array<std::uint32_t, 2>, kAxes> parts_;
+  std::array<Parts, kAxes> parts_;
 };
 
 }  // namespace hardball

@@ -8,9 +8,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
-#include <limits>
+#include <type_traits>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/geometry/wait_in_ball.hpp"
 
 namespace hardball {
@@ -67,19 +68,11 @@ std::int32_t difference_on_grid(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
-double smallest_period(const Box& box) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (box.is_periodic(axis)) smallest = std::min(smallest, box.size()[axis]);
-  }
-  return smallest;
-}
-
 // Whether lists can be made for spheres of up to this radius.
 bool fits(const Box& box, double largest_radius) {
   const double skin = kLeastListSkin * largest_radius;
   return farthest_neighbors(largest_radius, skin, box.is_sheared() ? kMostSlide * skin : 0) <=
-         kLargestListShare * smallest_period(box);
+         kLargestListShare * box.shortest_period();
 }
 
 }  // namespace
@@ -111,7 +104,7 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
     speeds += length(world.peculiar_velocity(slot, now));
   const double mean_speed = speeds / std::max(1.0, static_cast<double>(world.size()));
   const double per_skin = slide_of_skin(world.box(), any_radius, wanted_skin_, mean_speed);
-  const double largest = (kLargestListShare * smallest_period(world.box()) - 2 * radius) / (4 + per_skin);
+  const double largest = (kLargestListShare * world.box().shortest_period() - 2 * radius) / (4 + per_skin);
   skin_ = std::max(kLeastListSkin * radius, std::min(wanted_skin_, largest));
   const double slide = per_skin * skin_;
   const double farthest = farthest_neighbors(any_radius, skin_, slide);
@@ -129,7 +122,7 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   const double apart = farthest + 2 * margin;
   if (rows_.are_present()) {
     const double scale = std::max(apart, kHeightsMoved * height);
-    copies.reset(world, scale, std::min(scale, kMostMoved * smallest_period(world.box())), now);
+    copies.reset(world, scale, std::min(scale, kMostMoved * world.box().shortest_period()), now);
   } else {
     copies.reset(world, apart, now);
   }
@@ -268,6 +261,22 @@ std::int32_t NeighborList::steps_in_cell(const Anchor& anchor, std::size_t axis)
                                    static_cast<std::uint32_t>(corner >> 32));
 }
 
+HARDBALL_ALWAYS_INLINE NeighborList::RowMotion NeighborList::motion_of_row(Slot slot, const Time& now,
+                                                                           const CompactPaths& copies) const {
+  const Anchor& anchor = lines_[slot].region;
+  RowMotion row{copies.steps_along_x(rows_.displacement(anchor.cell[1], now)), rows_.speed(anchor.cell[1])};
+  // The anchor may be that of an image above or below.
+  const std::int64_t above = std::int64_t{static_cast<std::uint32_t>(copies.paths()[slot].position[1])} -
+                             static_cast<std::uint32_t>(anchor.position[1]);
+  const auto layer = static_cast<std::int32_t>((above + (std::int64_t{1} << 31)) >> 32);
+  if (layer == 0) [[likely]]
+    return row;
+  const std::int32_t slide = copies.slide_at(now);
+  row.displacement = sum_on_grid(row.displacement, layer > 0 ? slide : difference_on_grid(0, slide));
+  row.speed += layer * copies.slide_speed();
+  return row;
+}
+
 double NeighborList::next_crossing_of_any(const World& world, Slot slot, const Time& now,
                                           const CompactPaths& copies) const {
   if (!rows_.are_present()) return leaves_ball(world, slot, now, copies);
@@ -276,7 +285,7 @@ double NeighborList::next_crossing_of_any(const World& world, Slot slot, const T
   std::array<std::int32_t, 3> anchor = lines_[slot].region.position;
   anchor[0] = sum_on_grid(anchor[0], row.displacement);
   std::array<float, 3> velocity = path.velocity;
-  velocity[0] -= static_cast<float>(row.speed * copies.time_unit() / copies.length_unit());
+  velocity[0] -= copies.in_units(row.speed);
   const float wait = wait_in_ball(copies, path.position, velocity, anchor);
   const double crossing = wait >= 0 ? rounded_down(now) + copies.time_unit() * static_cast<double>(wait)
                                     : leaves_ball(world, slot, now, copies);
@@ -301,23 +310,6 @@ State NeighborList::relative_to_anchor(const World& world, Slot slot, const Time
   }
   return {{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1), copies.apart(anchor, slot, 2)},
           velocity};
-}
-
-NeighborList::RowMotion NeighborList::motion_of_row(Slot slot, const Time& now,
-                                                    const CompactPaths& copies) const {
-  const Anchor& anchor = lines_[slot].region;
-  RowMotion row{copies.steps_along_x(rows_.displacement_in_box(anchor.cell[1], now)),
-                rows_.speed(anchor.cell[1])};
-  // The anchor may be that of an image above or below.
-  const std::int64_t above = std::int64_t{static_cast<std::uint32_t>(copies.paths()[slot].position[1])} -
-                             static_cast<std::uint32_t>(anchor.position[1]);
-  const auto layer = static_cast<std::int32_t>((above + (std::int64_t{1} << 31)) >> 32);
-  if (layer == 0) [[likely]]
-    return row;
-  const std::int32_t slide = copies.slide_at(now);
-  row.displacement = sum_on_grid(row.displacement, layer > 0 ? slide : difference_on_grid(0, slide));
-  row.speed += layer * copies.slide_speed();
-  return row;
 }
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
@@ -368,15 +360,13 @@ void NeighborList::find_changes(Slot slot) {
 void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
   Anchor& anchor = lines_[slot].region;
   anchor.position = copies.paths()[slot].position;
-  Vec3 position = world.position(slot, now);
+  const Vec3 position = world.position(slot, now);
   anchor.cell = cells_.cell_of(position);
   if (!rows_.are_present()) return;
   if (lists_expire()) anchor.expiry = ticks_at(now) + kTicksOfList;
-  const double width = world.box().size().x;
-  position.x -= rows_.displacement_in_box(anchor.cell[1], now);
-  position.x -= std::floor(position.x / width) * width;
-  anchor.position[0] = copies.steps_along_x(position.x);
-  anchor.cell[0] = cells_.cell_of(position)[0];
+  const double in_row = position.x - rows_.displacement(anchor.cell[1], now);
+  anchor.position[0] = copies.steps_along_x(in_row);
+  anchor.cell[0] = cells_.cell_along(0, in_row);
 }
 
 // The spheres whose shells overlap a sphere's own, from the anchors in the cells around its own; the sphere
@@ -487,11 +477,12 @@ std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& a
     return rows;
   };
   std::size_t count = 0;
-  const auto add = [&](const Rows& x, const Rows& y, const Rows& z) {
+  // Usually there are three rows along x and z, and along y a number that is a constant.
+  const auto add = [&](const Rows& x, auto usual_count, const Rows& y, const Rows& z) {
     const auto add_one = [&](const Four& cell) { std::memcpy(&around[count++], &cell, sizeof cell); };
-    if ((x.count == 3) & (y.count == 3) & (z.count == 3)) [[likely]] {
+    if ((x.count == 3) & (y.count == usual_count) & (z.count == 3)) [[likely]] {
       for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
+        for (std::size_t j = 0; j < usual_count; ++j) {
           const Four row = x.parts[i] + y.parts[j];
           for (std::size_t k = 0; k < 3; ++k) add_one(row + z.parts[k]);
         }
@@ -506,10 +497,12 @@ std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& a
   };
   const Rows z = rows_around(2, anchor, -1, 1);
   if (!rows_.are_present()) [[likely]] {
-    add(rows_around(0, anchor, -1, 1), rows_around(1, anchor, -1, 1), z);
+    constexpr std::integral_constant<std::size_t, 3> kAll;
+    add(rows_around(0, anchor, -1, 1), kAll, rows_around(1, anchor, -1, 1), z);
   } else {
+    constexpr std::integral_constant<std::size_t, 1> kOne;
     for (std::int32_t row = -1; row <= 1; ++row)
-      add(rows_around(0, seen_from_row(anchor, row), -1, 1), rows_around(1, anchor, row, row), z);
+      add(rows_around(0, seen_from_row(anchor, row), -1, 1), kOne, rows_around(1, anchor, row, row), z);
   }
   if (table_.is_shared()) [[unlikely]] {
     for (std::size_t i = 0; i < count; ++i) around[i].block = table_.list_at(around[i].block);

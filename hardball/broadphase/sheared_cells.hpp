@@ -9,6 +9,8 @@
 
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/broadphase/cell_table.hpp"
+#include "hardball/broadphase/sheared_block.hpp"
+#include "hardball/broadphase/sheared_region.hpp"
 #include "hardball/broadphase/sliding_rows.hpp"
 #include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/broadphase/sphere_lines.hpp"
@@ -17,52 +19,11 @@
 
 namespace hardball {
 
-/// The cells that a sphere touches in a sheared box, counted along its path: in each row along x, as seen
-/// from there.
-struct ShearedRegion {
-  static constexpr std::size_t kMostRows = 8;
-
-  /// The cells of one row.
-  struct Cells {
-    std::int32_t first = 0;
-    std::int32_t last = 0;
-
-    bool contains(std::int32_t cell) const { return first <= cell && cell <= last; }
-    friend bool operator==(const Cells&, const Cells&) = default;
-  };
-
-  std::int32_t lowest = 0;       ///< Row along y.
-  std::uint8_t count = 0;        ///< Of rows; none if there is no region.
-  std::uint8_t crossed_row = 0;  ///< In which the next crossing is, counted from the lowest.
-  std::uint8_t crossed_face = 0;
-  Cells depths;                        ///< Along z.
-  std::array<Cells, kMostRows> along;  ///< Of each row, along x.
-
-  std::int32_t highest() const { return lowest + count - 1; }
-  bool has_row(std::int32_t row) const { return lowest <= row && row <= highest(); }
-  /// Precondition: has_row(row).
-  Cells& in_row(std::int32_t row) { return along[static_cast<std::size_t>(row - lowest)]; }
-  const Cells& in_row(std::int32_t row) const { return along[static_cast<std::size_t>(row - lowest)]; }
-  /// The cells of a row in space. Precondition: likewise.
-  CellRange cells_in(std::int32_t row) const {
-    return {{in_row(row).first, row, depths.first}, {in_row(row).last, row, depths.last}};
-  }
-  bool contains(const CellIndex& cell) const {
-    return has_row(cell[1]) && in_row(cell[1]).contains(cell[0]) && depths.contains(cell[2]);
-  }
-  /// Whether the cells are the same.
-  friend bool operator==(const ShearedRegion& a, const ShearedRegion& b) {
-    if (a.lowest != b.lowest || a.count != b.count || a.depths != b.depths) return false;
-    for (std::size_t i = 0; i < a.count; ++i) {
-      if (a.along[i] != b.along[i]) return false;
-    }
-    return true;
-  }
-};
-
 /// Cells in a sheared box, whose rows along y slide past each other (SlidingRows): so a sphere moves through
 /// cells that move with the flow around it.
-class ShearedCells : public WithSphereLines<std::uint32_t> {  // its own regions do not fit into a line
+///
+/// A sphere that fits into a cell is in cells of a ShearedBlock, others are in a ShearedRegion.
+class ShearedCells : public WithSphereLines<ShearedBlock> {
  public:
   /// The length is the wanted edge of a cell; others are taken where cells would be too many, or too large
   /// for the box.
@@ -91,13 +52,13 @@ class ShearedCells : public WithSphereLines<std::uint32_t> {  // its own regions
   static constexpr std::size_t kCachedSpheres = 50000;
   void prefetch_region(Slot slot) const {
     prefetch(&lines_[slot]);
-    prefetch(&regions_[slot]);
+    if (!blocks_) prefetch(&regions_[slot]);
   }
   void prefetch_lists(Slot slot, bool) const {
-    for_each_list(regions_[slot], [this](std::uint32_t list) { prefetch(lists_.address(list)); });
+    for_each_list(slot, [this](std::uint32_t list) { prefetch(lists_.address(list)); });
   }
   void prefetch_candidates(Slot slot, bool, const CompactPaths& copies) const {
-    for_each_list(regions_[slot], [&](std::uint32_t list) {
+    for_each_list(slot, [&](std::uint32_t list) {
       std::array<Slot, SlotLists::kRoom> found;
       const std::uint32_t count = lists_.copy_first(list, found.data());
       for (std::uint32_t i = 0; i < count; ++i) copies.prefetch(found[i]);
@@ -111,24 +72,63 @@ class ShearedCells : public WithSphereLines<std::uint32_t> {  // its own regions
   // The edge that is used for a wanted one; nothing if there is none.
   static std::optional<double> allowed_edge(const World& world, double wanted);
 
-  // Calls visit(cell, folded) for each cell of a region.
+  // Calls visit(cell, folded) for each cell that a sphere is in.
   template <class Visit>
-  void for_each_cell(const ShearedRegion& region, Visit&& visit) const {
+  void for_each_cell(Slot slot, Visit&& visit) const {
+    if (!blocks_) return for_each_cell_of(regions_[slot], visit);
+    const ShearedBlock& block = lines_[slot].region;
+    CellBlock::for_each_cell(block.cells, [&](std::uint32_t cell) {
+      const CellIndex index = block.index(cell);
+      visit(index, cells_.folded(index));
+    });
+  }
+  template <class Visit>
+  void for_each_cell_of(const ShearedRegion& region, Visit&& visit) const {
     for (std::int32_t row = region.lowest; row <= region.highest(); ++row)
       cells_.for_each_folded(region.cells_in(row), visit);
   }
-  // Calls visit(list) for the list of each cell of a region.
+  // Calls visit(list) for the list of each cell that a sphere is in.
   template <class Visit>
-  void for_each_list(const ShearedRegion& region, Visit&& visit) const {
-    for_each_cell(region, [&](const CellIndex&, const CellIndex& folded) { visit(table_.list(folded)); });
+  void for_each_list(Slot slot, Visit&& visit) const {
+    if (blocks_) return lines_[slot].region.for_each_list(lines_[slot].region.cells, cells_, table_, visit);
+    for_each_cell_of(regions_[slot],
+                     [&](const CellIndex&, const CellIndex& folded) { visit(table_.list(folded)); });
   }
 
+  void enter(const World& world, Slot slot, const Time& now);
+  void leave(Slot slot);
   // The cells along x that a sphere touches in a row.
   ShearedRegion::Cells cells_in_row(std::int32_t row, double x, double radius, const Time& now) const;
   ShearedRegion region_at(const World& world, Slot slot, const Time& now) const;
   void replace(Slot slot, const ShearedRegion& region);
+  double next_crossing_of_region(const World& world, Slot slot, const Time& now);
+  void cross_region(const World& world, Slot slot, const Time& now, Candidates& candidates);
+
+  // A sphere as seen from its block: along each direction, by how much its center is beyond the face between
+  // lower and upper cells [L], and how fast it moves [L/T].
+  struct SeenFromBlock {
+    std::array<double, ShearedBlock::kDirections> beyond;
+    std::array<double, ShearedBlock::kDirections> velocity;
+  };
+  SeenFromBlock see(const World& world, Slot slot, const Time& now) const;
+  ShearedBlock block_at(const World& world, Slot slot, const Time& now) const;
+  std::uint32_t reach_row(ShearedBlock& block, std::uint32_t row, double x, double radius,
+                          const Time& now) const;
+  void keep(Slot slot, std::uint32_t cells);
+  void refresh_block(const World& world, Slot slot, const Time& now);
+  double next_crossing_of_block(const World& world, Slot slot, const Time& now);
+  void cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates);
+  void enter_cells(Slot slot, std::uint32_t cells, Candidates& candidates);
+
+  ShearedRegion region_of(Slot slot) const;
+  bool is_in(Slot slot, const CellIndex& index) const;
   bool touches(Slot slot, const CellIndex& folded) const;
   void collect_cell(const CellIndex& folded, Candidates& candidates) const;
+  void collect_list(std::uint32_t list, Candidates& candidates) const {
+    lists_.for_each_line(list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+      candidates.add(slots, count);
+    });
+  }
 
   double wanted_edge_;
   double largest_built_ = 0;  // the largest radius for which the cells are good
@@ -136,7 +136,11 @@ class ShearedCells : public WithSphereLines<std::uint32_t> {  // its own regions
   SlidingRows rows_;
   CellTable table_;
   SlotLists lists_;
-  LargeVector<ShearedRegion> regions_;
+  // From the face in the middle of a block to the next that a sphere reaches, by axis, if it is in neither
+  // half, that ahead, that behind, or both [L].
+  std::array<std::array<double, 4>, kAxes> room_{};
+  bool blocks_ = false;                 // spheres fit into cells
+  LargeVector<ShearedRegion> regions_;  // otherwise, by slot
   std::uint64_t left_count_ = 0;
 };
 

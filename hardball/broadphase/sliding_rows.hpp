@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -31,7 +32,7 @@ class SlidingRows {
         speed_of_half_step_(images_.speed() / (2 * rows)) {
     if (!are_present()) return;
     boxes_.resize(static_cast<std::size_t>(rows));
-    displacements_.resize(static_cast<std::size_t>(rows));
+    displacements_.resize(static_cast<std::size_t>(rows + 2));
     leave_out_boxes(now);
     note(now);
   }
@@ -53,19 +54,20 @@ class SlidingRows {
     note(now);
   }
 
-  /// By how much a row of the box is displaced along x at `moment` [L], less as many boxes as made that small
-  /// at the time of construction.
-  double displacement_in_box(std::int32_t row, const Time& moment) const {
+  /// By how much a row is displaced along x at `moment` [L], less as many boxes as made that of a row of the
+  /// box small at the time of construction.
+  double displacement(std::int32_t row, const Time& moment) const {
     const double since = duration(noted_at_, moment);
-    if (is_near(since)) [[likely]]
-      return displacements_[static_cast<std::size_t>(row)] + speed(row) * since;
+    if (is_near(since) && is_noted(row)) [[likely]]
+      return noted(row, since);
     return exact_displacement(row, moment);
   }
-  /// The same of any row.
-  double displacement(std::int32_t row, const Time& moment) const {
-    if (static_cast<std::uint32_t>(row) < static_cast<std::uint32_t>(rows_)) [[likely]]
-      return displacement_in_box(row, moment);
-    return displacement_beyond_box(row, moment);
+  /// The same of a row and the one above.
+  std::array<double, 2> displacements(std::int32_t row, const Time& moment) const {
+    const double since = duration(noted_at_, moment);
+    if (is_near(since) && is_noted(row) && is_noted(row + 1)) [[likely]]
+      return {noted(row, since), noted(row + 1, since)};
+    return {exact_displacement(row, moment), exact_displacement(row + 1, moment)};
   }
   /// By how much a row is displaced against the one below at `moment`, but for whole boxes: a few boxes at
   /// most [L].
@@ -84,20 +86,25 @@ class SlidingRows {
   DoubleDouble<double> half_step(const Time& moment) const {
     return divide(images_.displacement(moment), 2.0 * rows_);
   }
-  double exact_displacement(std::int32_t row, const Time& moment) const {
-    const DoubleDouble<double> slid = half_step(moment) * DoubleDouble<double>{half_steps(row), 0};
-    return (slid - product(boxes_[static_cast<std::size_t>(row)], width_)).high;
-  }
-  HARDBALL_NEVER_INLINE double displacement_beyond_box(std::int32_t row, const Time& moment) const {
+  HARDBALL_NEVER_INLINE double exact_displacement(std::int32_t row, const Time& moment) const {
     const std::int32_t rest = row % rows_;
     const std::int32_t inside = rest < 0 ? rest + rows_ : rest;
+    const DoubleDouble<double> slid = half_step(moment) * DoubleDouble<double>{half_steps(inside), 0};
+    const double in_box = (slid - product(boxes_[static_cast<std::size_t>(inside)], width_)).high;
     const double layer = (row - inside) / rows_;
-    const DoubleDouble<double> slid = images_.displacement(moment) - product(boxes_above_, width_);
-    return displacement_in_box(inside, moment) + layer * slid.high;
+    const DoubleDouble<double> above = images_.displacement(moment) - product(boxes_above_, width_);
+    return layer == 0 ? in_box : in_box + layer * above.high;
   }
   double exact_step(const Time& moment) const {
     const DoubleDouble<double> slid = half_step(moment) * DoubleDouble<double>{2, 0};
     return (slid - product(std::round(slid.high / width_), width_)).high;
+  }
+  // Noted are the rows of the box, and those next to it.
+  bool is_noted(std::int32_t row) const {
+    return static_cast<std::uint32_t>(row + 1) < static_cast<std::uint32_t>(rows_ + 2);
+  }
+  double noted(std::int32_t row, double since) const {
+    return displacements_[static_cast<std::size_t>(row + 1)] + speed(row) * since;
   }
   // Whether images have slid by no more than a box since.
   bool is_near(double since) const { return std::fabs(images_.speed() * since) <= width_; }
@@ -110,8 +117,8 @@ class SlidingRows {
   }
   void note(const Time& now) {
     noted_at_ = now;
-    for (std::int32_t row = 0; row < rows_; ++row)
-      displacements_[static_cast<std::size_t>(row)] = exact_displacement(row, now);
+    for (std::int32_t row = -1; row <= rows_; ++row)
+      displacements_[static_cast<std::size_t>(row + 1)] = exact_displacement(row, now);
     step_ = exact_step(now);
   }
 
@@ -123,7 +130,7 @@ class SlidingRows {
   // By which displacements are less, of the image above and by row:
   double boxes_above_ = 0;
   std::vector<double> boxes_;
-  // As noted at a moment, by row and of each against the one below:
+  // As noted at a moment, from the row below the box on, and of each against the one below:
   Time noted_at_;
   std::vector<double> displacements_;
   double step_ = 0;

@@ -108,6 +108,10 @@ class Subdivision {
   }
   /// The cell, folded into the box, in which a point inside the box lies.
   CellIndex cell_of(const Vec3& point) const;
+  /// Its index along an axis; along a periodic one the point may be some boxes away. Error: as for range_at.
+  std::int32_t cell_along(std::size_t axis, double coordinate) const {
+    return folded(axis, index_of(axes_[axis], coordinate));
+  }
   /// When a sphere touches the next cell beyond `range`, from where it is; its path may be straight, without
   /// gravity, or a parabola.
   CellCrossing next_enter(const Vec3& position, const Vec3& velocity, const Vec3& gravity, double radius,

@@ -48,14 +48,6 @@ inline bool is_periodic(const Box& box) {
   return box.period() != Vec3{};
 }
 
-inline double shortest_period(const Box& box) {
-  double shortest = kInfinity;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (box.is_periodic(axis)) shortest = std::min(shortest, box.size()[axis]);
-  }
-  return shortest;
-}
-
 // Where the separation can be within reach along an axis during an interval, with a margin for rounding: this
 // far from the middle.
 struct Sweep {

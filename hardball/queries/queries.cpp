@@ -64,7 +64,7 @@ std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slo
     return time_to_touch(other);
   };
 
-  const double half = 0.5 * shortest_period(box);
+  const double half = 0.5 * box.shortest_period();
   double fastest = 0;
   for (Slot slot = 0; is_periodic(box) && slot < world.size(); ++slot) {
     const Vec3 velocity = motion.velocity_at(world.path(slot), now) - path.velocity;
@@ -254,7 +254,7 @@ std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origi
   const Path path{folded(box, origin, kWhere), (1 / norm) * direction, Time(0)};
   const auto state_of = [&](Slot slot) { return State{world.unfolded_position(slot, now), {}}; };
   const auto wait_of = [](Slot, const Relative& other) { return time_to_enter(other); };
-  const double half = 0.5 * shortest_period(box);
+  const double half = 0.5 * box.shortest_period();
   First first;
   search_in_intervals([half](double) { return half; }, most,
                       [&](const Interval& during) {

@@ -331,9 +331,24 @@ void complete_velocities(const Scenario& scenario, const Box& box, const std::st
     snapshot.spheres[i].velocity = in_flow(box, snapshot.spheres[i].position, velocities[i]);
 }
 
-void add_from_file(const Scenario& scenario, World& world) {
+// The scenario, its box displaced as the tilt of the start file's box says.
+Scenario with_tilt_of(const Snapshot& snapshot, Scenario scenario) {
+  const double tilt = snapshot.box ? snapshot.box->tilt : 0;
+  if (tilt == 0 || scenario.is_shear_offset_given) return scenario;
+  if (scenario.shear.rate == 0) {
+    throw Error(
+        "the box of the file is tilted by " + to_text(tilt) + ", and that of the scenario is not sheared",
+        scenario.start_file->string(),
+        "give shear_rate in [box], or shear_offset = " + to_text(tilt) + " for a box at rest");
+  }
+  scenario.shear.offset = tilt;
+  return scenario;
+}
+
+World make_from_file(const Scenario& scenario) {
   const std::filesystem::path& file = *scenario.start_file;
   Snapshot snapshot = read_snapshot(file);
+  World world = make_empty_world(with_tilt_of(snapshot, scenario));
   complete_velocities(scenario, world.box(), file.string(), snapshot);
   if (snapshot.spheres.empty()) {
     throw Error("the last frame holds no spheres", file.string(), "give at least one sphere");
@@ -342,6 +357,7 @@ void add_from_file(const Scenario& scenario, World& world) {
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     add(world, snapshot.spheres[i], snapshot.location(file.string(), i));
   }
+  return world;
 }
 
 }  // namespace
@@ -369,12 +385,8 @@ Box make_box(const Scenario& scenario) {
 World make_world(const Scenario& scenario, const OnProgress& on_progress) {
   const Progress progress(on_progress);
   progress.note(0, 1);
-  World world = make_empty_world(scenario);
-  if (scenario.start_file) {
-    add_from_file(scenario, world);
-  } else if (!scenario.spheres.empty()) {
-    add_groups(scenario, world, progress);
-  }
+  World world = scenario.start_file ? make_from_file(scenario) : make_empty_world(scenario);
+  if (!scenario.spheres.empty()) add_groups(scenario, world, progress);
   set_interactions(scenario, world);
   add_bonds(scenario, world);
   progress.note_end();

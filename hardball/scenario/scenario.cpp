@@ -79,6 +79,7 @@ void read_shear(const Section& box, Scenario& scenario) {
   const std::optional<Value> offset = box.find("shear_offset");
   if (rate) scenario.shear.rate = rate->number();
   if (offset) scenario.shear.offset = offset->number();
+  scenario.is_shear_offset_given = offset.has_value();
   if (rate || offset) scenario.shear_where = (rate ? rate : offset)->location();
 }
 

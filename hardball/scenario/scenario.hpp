@@ -148,6 +148,7 @@ struct HARDBALL_EXPORT Scenario {
   std::size_t dimensions() const { return box[2].boundary == Boundary::flat ? 2 : 3; }
   Vec3 gravity;                        ///< [L/T^2]
   Shear shear;                         ///< Of the box.
+  bool is_shear_offset_given = false;  ///< Otherwise it is the tilt of a start file's box.
   std::string shear_where;             ///< For messages.
   std::vector<FaceDescription> faces;  ///< Of the box, those with properties of their own.
   std::vector<WallDescription> walls;  ///< Besides those of the box.

@@ -122,7 +122,7 @@ EngineKind choose_engine(const World& world, const GasStatistics& statistics, co
   if (options.engine != EngineKind::automatic || options.cell_edge || !has_lists) return EngineKind::cells;
   const auto cost_of = [&](EngineKind kind) {
     // Cells that slide cost more than those at rest, which the models are of; measured: docs/theory.md.
-    constexpr double kCostOfSlidingCells = 1.4;
+    constexpr double kCostOfSlidingCells = 1.05;
     const bool slides = kind == EngineKind::cells && world.box().is_sheared();
     return (slides ? kCostOfSlidingCells : 1) *
            choice(kind).best(world, moment, statistics, options.unit_costs).cost;

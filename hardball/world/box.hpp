@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -106,6 +107,14 @@ class HARDBALL_EXPORT Box {
 
   /// Edge lengths [L]; infinite along open axes, zero along flat ones.
   const Vec3& size() const { return size_; }
+  /// The least of the edge lengths along periodic axes [L]; infinite if there are none.
+  double shortest_period() const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (is_periodic(axis)) shortest = std::min(shortest, size_[axis]);
+    }
+    return shortest;
+  }
   /// [L^3], in two dimensions the area [L^2]; infinite if an axis is open.
   double volume() const { return volume_of(size_); }
   /// The same of a part of the box with these edge lengths [L].

@@ -196,10 +196,7 @@ void World::check_steps() const {
 
 // Of each pair only one image may be inside of a step.
 void World::check_ranges() const {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (box_.is_periodic(axis)) shortest = std::min(shortest, box_.size()[axis]);
-  }
+  const double shortest = box_.shortest_period();
   const auto check = [&](double reach) {
     constexpr double kRoom = 1 - 1e-9;
     if (reach < shortest / 2 * kRoom) return;

@@ -63,8 +63,8 @@ TEST(SlidingRows, AreCountedOnUnlessTheyMayJumpByBoxes) {
     for (std::int32_t row = 0; row < kRows; ++row) {
       const double expected = counted.displacement(row, Time(0)) + counted.speed(row) * moment;
       EXPECT_NEAR(counted.displacement(row, Time(moment)), expected, 1e-11);
-      EXPECT_LE(std::fabs(small.displacement_in_box(row, Time(moment))), 2 * kWidth);
-      EXPECT_LT(off_whole_boxes(small.displacement_in_box(row, Time(moment)) - expected), 1e-11);
+      EXPECT_LE(std::fabs(small.displacement(row, Time(moment))), 2 * kWidth);
+      EXPECT_LT(off_whole_boxes(small.displacement(row, Time(moment)) - expected), 1e-11);
     }
   }
 }

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "hardball/errors/error.hpp"
@@ -48,6 +50,34 @@ TEST(ShearedScenario, LeavesListedVelocitiesAsTheyAre) {
                          "[[spheres]]\nradius = 0.3\npositions = [[1, 1, 1]]\nvelocities = [[1, 2, 3]]\n",
                      "shear.toml"));
   EXPECT_EQ(world.path(0).velocity, (Vec3{1, 2, 3}));
+}
+
+// A scenario of this box, which starts from two spheres in a tilted one.
+Scenario from_tilted_file(const std::string& of_box) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "tilted.xyz";
+  std::ofstream(file) << "2\nLattice=\"10 0 0 -2.5 10 0 0 0 10\" pbc=\"T T T\" "
+                         "Properties=pos:R:3:velo:R:3:radius:R:1\n"
+                         "1 1 1 0 0 0 0.3\n3.5 9.9 1 0 0 0 0.3\n";
+  return parse_scenario("[box]\nsize = [10.0, 10.0, 10.0]\n" + of_box + "[start]\nfile = \"tilted.xyz\"\n",
+                        (std::filesystem::path(testing::TempDir()) / "start.toml").string());
+}
+
+TEST(ShearedScenario, StartsFromTheTiltOfAFile) {
+  const World world = make_world(from_tilted_file(kSheared));
+  EXPECT_EQ(world.box().shear(), (Shear{.rate = 0.5, .offset = -2.5}));
+  const World given = make_world(from_tilted_file(kSheared + "shear_offset = 1\n"));
+  EXPECT_EQ(given.box().shear(), (Shear{.rate = 0.5, .offset = 1}));
+}
+
+TEST(ShearedScenario, RefusesTheTiltOfAFileForABoxThatIsNotSheared) {
+  try {
+    make_world(from_tilted_file("boundary = [\"periodic\", \"periodic\", \"wall\"]\n"));
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(error.problem().find("tilted by -2.5"), std::string::npos) << error.what();
+    EXPECT_NE(error.where().find("tilted.xyz"), std::string::npos);
+    EXPECT_NE(error.remedy().find("shear_offset = -2.5"), std::string::npos);
+  }
 }
 
 TEST(ShearedScenario, SaysWhereWhatDoesNotGoTogetherIs) {
