@@ -10,7 +10,7 @@
 #include "hardball/archive/archive.hpp"
 #include "hardball/io/little_endian.hpp"
 #include "hardball/measure/measures.hpp"
-#include "tests/support/gas.hpp"
+#include "support/gas.hpp"
 
 namespace hardball::fuzz {
 namespace {

@@ -5,7 +5,7 @@
 #include "fuzz/file_of_bytes.hpp"
 #include "fuzz/target.hpp"
 #include "hardball/recording/recording_reader.hpp"
-#include "tests/support/true_checksums.hpp"
+#include "support/true_checksums.hpp"
 
 void hardball::fuzz::read(std::string_view bytes) {
   // A fuzzer would never guess a checksum.

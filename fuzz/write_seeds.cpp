@@ -17,8 +17,8 @@
 #include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/trajectory/trajectory.hpp"
-#include "tests/support/random_world.hpp"
-#include "tests/support/scratch_folder.hpp"
+#include "support/random_world.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace hardball {
 namespace {
@@ -88,14 +88,15 @@ void write_measured_seeds(const std::filesystem::path& corpus) {
   }
 }
 
-// Of worlds of all kinds, with any division and changes.
-void write_divided_seeds(const std::filesystem::path& corpus) {
+// Of worlds of all kinds, with any division or engine, and changes.
+void write_seeds_of_choices(const std::filesystem::path& corpus) {
   constexpr std::size_t kBytes = 24;
   Random random(kSeeds);
   for (std::uint64_t seed = 0; seed < 2 * kSeeds; ++seed) {
     std::string bytes;
     for (std::size_t k = 0; k < kBytes; ++k) bytes += static_cast<char>(256 * random.uniform() - 128);
-    support::write_text(corpus / "domains" / std::to_string(seed), bytes);
+    for (const char* target : {"domains", "engines"})
+      support::write_text(corpus / target / std::to_string(seed), bytes);
   }
 }
 
@@ -107,7 +108,7 @@ int main(int count, char** arguments) {
   if (count != 2) return 2;
   const std::filesystem::path corpus = arguments[1];
   for (const char* target :
-       {"checkpoint", "domains", "measured_run", "recording", "recording_state", "simulation"}) {
+       {"checkpoint", "domains", "engines", "measured_run", "recording", "recording_state", "simulation"}) {
     std::filesystem::create_directories(corpus / target);
   }
   for (const auto& [target, ending] : kSnapshots) std::filesystem::create_directories(corpus / target);
@@ -119,5 +120,5 @@ int main(int count, char** arguments) {
     write_seeds_of_world(corpus, "world" + std::to_string(seed), made, thermostat);
   }
   write_measured_seeds(corpus);
-  write_divided_seeds(corpus);
+  write_seeds_of_choices(corpus);
 }
