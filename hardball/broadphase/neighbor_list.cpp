@@ -53,20 +53,8 @@ double farthest_neighbors(double largest_radius, double skin, double slide) {
   return 2 * largest_radius + 4 * skin + slide;
 }
 
-// The duration of a list in ticks, the last of which may be cut short.
-constexpr std::uint32_t kTicksOfList = 1U << 20;
-constexpr double kCutShort = 1 - 1e-6;
-
 // Rows slide by no more than this multiple of the skin before lists expire.
 constexpr double kMostSlide = 1.5;
-
-// Modulo 2^32.
-std::int32_t sum_on_grid(std::int32_t a, std::int32_t b) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
-}
-std::int32_t difference_on_grid(std::int32_t a, std::int32_t b) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
-}
 
 // Whether lists can be made for spheres of up to this radius.
 bool fits(const Box& box, double largest_radius) {
@@ -113,14 +101,9 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   const double margin = kListMargin * std::max(farthest, kHeightMargin * height);
   room_ = skin_ - kCrossingMargin * std::max(farthest, kHeightMargin * height);
   cells_ = Subdivision(world.box(), cell_edge(any_radius, skin_) + slide / 2 + 2 * margin);
-  rows_ = SlidingRows(world.box(), cells_.period(1), now);
-  const double speed_of_rows = rows_.speed_of_step();
-  duration_ = speed_of_rows > 0 ? slide / speed_of_rows : kNever.high;
-  built_ = now;
-  time_of_tick_ = kCutShort * duration_ / (kTicksOfList + 1);
-  ticks_per_time_ = 1 / time_of_tick_;
+  sliding_ = SlidingAnchors(world.box(), cells_.period(1), slide, now);
   const double apart = farthest + 2 * margin;
-  if (rows_.are_present()) {
+  if (sliding_.are_present()) {
     const double scale = std::max(apart, kHeightsMoved * height);
     copies.reset(world, scale, std::min(scale, kMostMoved * world.box().shortest_period()), now);
   } else {
@@ -151,7 +134,7 @@ void NeighborList::make_lists(std::uint32_t lines, const Time& now, const Compac
     long_ones += near_.count > PaddedLists::kLine ? 1U : 0U;
   }
   if (lines == 1 && long_ones > lines_.size() / kLongShare) return make_lists(2, now, copies);
-  if (rows_.are_present()) make_mutual();
+  if (sliding_.are_present()) make_mutual();
 }
 
 // Seen from two rows, distances are rounded in different ways: who has another in its list is in that one's
@@ -185,7 +168,7 @@ void NeighborList::erase(Slot slot) {
 }
 
 bool NeighborList::keeps(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const {
-  if (rows_.are_present()) return false;  // where it is in its row would have to be found
+  if (sliding_.are_present()) return false;  // where it is in its row would have to be found
   const Anchor& anchor = lines_[slot].region;
   const CellIndex cell = cells_.cell_of(world.position(slot, now));
   bool is_near = copies.is_bounded(slot);
@@ -239,7 +222,7 @@ void NeighborList::choose_packing(const CompactPaths& copies) {
       packing.above = cells_.last(axis);
     }
     packing_unit_[axis] = std::ldexp(copies.scale().grid[axis], static_cast<int>(packing.shift));
-    const float units = axis == 0 && rows_.are_present() ? kPackingErrorInRows : kPackingError;
+    const float units = axis == 0 && sliding_.are_present() ? kPackingErrorInRows : kPackingError;
     error += units * units * packing_unit_[axis] * packing_unit_[axis];
   }
   packing_error_ = std::sqrt(error);
@@ -261,35 +244,20 @@ std::int32_t NeighborList::steps_in_cell(const Anchor& anchor, std::size_t axis)
                                    static_cast<std::uint32_t>(corner >> 32));
 }
 
-HARDBALL_ALWAYS_INLINE NeighborList::RowMotion NeighborList::motion_of_row(Slot slot, const Time& now,
-                                                                           const CompactPaths& copies) const {
-  const Anchor& anchor = lines_[slot].region;
-  RowMotion row{copies.steps_along_x(rows_.displacement(anchor.cell[1], now)), rows_.speed(anchor.cell[1])};
-  // The anchor may be that of an image above or below.
-  const std::int64_t above = std::int64_t{static_cast<std::uint32_t>(copies.paths()[slot].position[1])} -
-                             static_cast<std::uint32_t>(anchor.position[1]);
-  const auto layer = static_cast<std::int32_t>((above + (std::int64_t{1} << 31)) >> 32);
-  if (layer == 0) [[likely]]
-    return row;
-  const std::int32_t slide = copies.slide_at(now);
-  row.displacement = sum_on_grid(row.displacement, layer > 0 ? slide : difference_on_grid(0, slide));
-  row.speed += layer * copies.slide_speed();
-  return row;
-}
-
 double NeighborList::next_crossing_of_any(const World& world, Slot slot, const Time& now,
                                           const CompactPaths& copies) const {
-  if (!rows_.are_present()) return leaves_ball(world, slot, now, copies);
+  if (!sliding_.are_present()) return leaves_ball(world, slot, now, copies);
   const CompactPath& path = copies.paths()[slot];
-  const RowMotion row = motion_of_row(slot, now, copies);
-  std::array<std::int32_t, 3> anchor = lines_[slot].region.position;
+  const Anchor& own = lines_[slot].region;
+  const SlidingAnchors::Row row = sliding_.row_of(own, path, now, copies);
+  std::array<std::int32_t, 3> anchor = own.position;
   anchor[0] = sum_on_grid(anchor[0], row.displacement);
   std::array<float, 3> velocity = path.velocity;
   velocity[0] -= copies.in_units(row.speed);
   const float wait = wait_in_ball(copies, path.position, velocity, anchor);
   const double crossing = wait >= 0 ? rounded_down(now) + copies.time_unit() * static_cast<double>(wait)
                                     : leaves_ball(world, slot, now, copies);
-  return std::min(crossing, expiry(slot, now));
+  return std::min(crossing, sliding_.expiry(own, now));
 }
 
 double NeighborList::leaves_ball(const World& world, Slot slot, const Time& now,
@@ -301,10 +269,11 @@ double NeighborList::leaves_ball(const World& world, Slot slot, const Time& now,
 
 State NeighborList::relative_to_anchor(const World& world, Slot slot, const Time& now,
                                        const CompactPaths& copies) const {
-  std::array<std::int32_t, 3> anchor = lines_[slot].region.position;
+  const Anchor& own = lines_[slot].region;
+  std::array<std::int32_t, 3> anchor = own.position;
   Vec3 velocity = world.velocity(slot, now);
-  if (rows_.are_present()) {
-    const RowMotion row = motion_of_row(slot, now, copies);
+  if (sliding_.are_present()) {
+    const SlidingAnchors::Row row = sliding_.row_of(own, copies.paths()[slot], now, copies);
     anchor[0] = sum_on_grid(anchor[0], row.displacement);
     velocity.x -= row.speed;
   }
@@ -314,8 +283,8 @@ State NeighborList::relative_to_anchor(const World& world, Slot slot, const Time
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
                          Candidates& candidates) {
-  if (rows_.are_present()) [[unlikely]]
-    rows_.keep_near_and_small(now);
+  if (sliding_.are_present()) [[unlikely]]
+    sliding_.keep_near(now);
   points_.erase(table_.list(lines_[slot].region.cell), slot);
   move_anchor(world, slot, now, copies);
   find_near(slot, now, copies);
@@ -362,9 +331,9 @@ void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, c
   anchor.position = copies.paths()[slot].position;
   const Vec3 position = world.position(slot, now);
   anchor.cell = cells_.cell_of(position);
-  if (!rows_.are_present()) return;
-  if (lists_expire()) anchor.expiry = ticks_at(now) + kTicksOfList;
-  const double in_row = position.x - rows_.displacement(anchor.cell[1], now);
+  if (!sliding_.are_present()) return;
+  anchor.expiry = sliding_.expiry_of_new(now);
+  const double in_row = sliding_.in_row(anchor, position.x, now);
   anchor.position[0] = copies.steps_along_x(in_row);
   anchor.cell[0] = cells_.cell_along(0, in_row);
 }
@@ -372,7 +341,7 @@ void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, c
 // The spheres whose shells overlap a sphere's own, from the anchors in the cells around its own; the sphere
 // itself is among them if its anchor is stored.
 void NeighborList::find_near(Slot slot, const Time& now, const CompactPaths& copies) {
-  if (rows_.are_present()) [[unlikely]]
+  if (sliding_.are_present()) [[unlikely]]
     note_step(now, copies);
   const std::size_t count = find_cells_around(lines_[slot].region, near_.cells);
   // Half of the reach belongs to each sphere, so that rounding is the same from either side.
@@ -413,7 +382,7 @@ void NeighborList::leave_out_far(Slot slot, const CompactPaths& copies) {
 bool NeighborList::are_near(Slot a, Slot b, const CompactPaths& copies) const {
   const Anchor& of_b = lines_[b].region;
   Anchor of_a = lines_[a].region;
-  if (rows_.are_present()) {
+  if (sliding_.are_present()) {
     const std::int32_t rows = of_b.cell[1] - of_a.cell[1];
     of_a = seen_from_row(of_a, std::abs(rows) <= 1 ? rows : rows > 0 ? -1 : 1);
   }
@@ -438,7 +407,7 @@ bool NeighborList::are_near(Slot a, Slot b, const CompactPaths& copies) const {
 }
 
 void NeighborList::note_step(const Time& now, const CompactPaths& copies) {
-  const double step = rows_.step(duration_ < kNever.high ? after(now, duration_ / 2) : now);
+  const double step = sliding_.step_of_list(now);
   step_ = copies.steps_along_x(step);
   step_in_cells_ = step / cells_.edge(0);
 }
@@ -496,7 +465,7 @@ std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& a
     }
   };
   const Rows z = rows_around(2, anchor, -1, 1);
-  if (!rows_.are_present()) [[likely]] {
+  if (!sliding_.are_present()) [[likely]] {
     constexpr std::integral_constant<std::size_t, 3> kAll;
     add(rows_around(0, anchor, -1, 1), kAll, rows_around(1, anchor, -1, 1), z);
   } else {
@@ -522,9 +491,9 @@ void NeighborList::validate(const World& world, const Time& now, const CompactPa
     return std::count(lanes.begin(), lanes.end(), slot) == 1;
   };
   NeighborList search = *this;
-  if (rows_.are_present()) {
+  if (sliding_.are_present()) {
     // Of lists made earlier only what is near by now can be said.
-    search.duration_ = 0;
+    search.sliding_.look_at_the_present();
     search.reach_of_slide_ = 0;
     search.packing_error_ = -packing_error_;
   }
@@ -540,9 +509,8 @@ void NeighborList::validate(const World& world, const Time& now, const CompactPa
       HARDBALL_CHECK(is_listed(slot, other) && is_listed(other, slot));
       ++others;
     }
-    HARDBALL_CHECK(rows_.are_present() || neighbors_.size(slot) == others);
-    HARDBALL_CHECK(!lists_expire() ||
-                   static_cast<std::int32_t>(lines_[slot].region.expiry - ticks_at(now)) >= 0);
+    HARDBALL_CHECK(sliding_.are_present() || neighbors_.size(slot) == others);
+    HARDBALL_CHECK(!sliding_.is_expired(lines_[slot].region, now));
   }
 }
 

@@ -10,25 +10,18 @@
 #include <span>
 #include <vector>
 
+#include "hardball/broadphase/anchor.hpp"
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/broadphase/cell_table.hpp"
 #include "hardball/broadphase/padded_lists.hpp"
 #include "hardball/broadphase/point_lists.hpp"
-#include "hardball/broadphase/sliding_rows.hpp"
+#include "hardball/broadphase/sliding_anchors.hpp"
 #include "hardball/broadphase/sphere_lines.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/memory/prefetch.hpp"
 
 namespace hardball {
-
-/// Where a sphere's list was made. In a sheared box an anchor moves with its row of cells (SlidingRows): its
-/// position along x is that in its row.
-struct Anchor {
-  std::array<std::int32_t, 3> position{};  ///< On the grid of CompactPaths, modulo 2^32 steps.
-  CellIndex cell{};
-  std::uint32_t expiry = 0;  ///< Of the list where rows slide, modulo 2^32 of its ticks.
-};
 
 /// A neighbor list for each sphere, for dense systems, where spheres are caged by their neighbors.
 ///
@@ -74,7 +67,7 @@ class NeighborList : public WithSphereLines<Anchor> {
     candidates.refer_to(neighbors_.of(slot));
   }
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const {
-    if (!world.motion().is_straight() || rows_.are_present()) [[unlikely]]
+    if (!world.motion().is_straight() || sliding_.are_present()) [[unlikely]]
       return next_crossing_of_any(world, slot, now, copies);
     const CompactPath& path = copies.paths()[slot];
     const float wait = wait_in_ball(copies, path.position, path.velocity, lines_[slot].region.position);
@@ -125,18 +118,6 @@ class NeighborList : public WithSphereLines<Anchor> {
   }
   double next_crossing_of_any(const World& world, Slot slot, const Time& now,
                               const CompactPaths& copies) const;
-  // A moment in ticks, many of which are the duration of a list, modulo 2^32.
-  std::uint32_t ticks_at(const Time& moment) const {
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(duration(built_, moment) * ticks_per_time_));
-  }
-  // As rows slide.
-  bool lists_expire() const { return duration_ < kNever.high; }
-  // When the list of a sphere expires.
-  double expiry(Slot slot, const Time& now) const {
-    if (!lists_expire()) return kNever.high;
-    const auto left = static_cast<std::int32_t>(lines_[slot].region.expiry - ticks_at(now));
-    return rounded_down(now) + std::max(left, 0) * time_of_tick_;
-  }
   // When a center leaves its ball.
   double leaves_ball(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
   void choose_packing(const CompactPaths& copies);
@@ -160,12 +141,6 @@ class NeighborList : public WithSphereLines<Anchor> {
     std::span<const Slot> slots() const { return {room.data(), count}; }
   };
   std::size_t find_cells_around(const Anchor& anchor, CellsAround& around) const;
-  // The row with which a sphere's anchor moves, relative to the sphere's copy, which is in the box.
-  struct RowMotion {
-    std::int32_t displacement;  // along x, on the grid of CompactPaths
-    double speed;               // [L/T]
-  };
-  RowMotion motion_of_row(Slot slot, const Time& now, const CompactPaths& copies) const;
   // Where a center is as seen from its anchor, and how fast it moves.
   State relative_to_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
   // The anchor as seen from the row that is `rows` above its own.
@@ -200,19 +175,16 @@ class NeighborList : public WithSphereLines<Anchor> {
   double skin_ = 0;
   double largest_built_ = 0;  // the largest radius when lists were made
   float reach_ = 0;           // of shells beyond the radii, in units of the compact paths
-  float reach_of_slide_ = 0;  // likewise, what rows may slide past each other from the middle of duration_ on
-  float packing_error_ = 0;   // of distances, likewise
-  float room_squared_ = 0;    // likewise, of room_
-  double room_ = 0;           // the distance from its anchor at which a center crosses
-  double duration_ = 0;       // of lists where rows slide [T]
-  Time built_;                // when lists were made
-  double ticks_per_time_ = 0;
-  double time_of_tick_ = 0;
+  float reach_of_slide_ =
+      0;  // likewise, what rows may slide past each other in half of the time that lists last
+  float packing_error_ = 0;  // of distances, likewise
+  float room_squared_ = 0;   // likewise, of room_
+  double room_ = 0;          // the distance from its anchor at which a center crosses
   // Of rows against those below, when the current list will be half as old:
   std::int32_t step_ = 0;     // on the grid of CompactPaths
   double step_in_cells_ = 0;  // of the edge of a cell
   Subdivision cells_;
-  SlidingRows rows_;
+  SlidingAnchors sliding_;
   std::array<Packing, kAxes> packing_;
   std::array<float, kAxes> packing_unit_{};  // in units of the compact paths
   CellTable table_;

@@ -72,7 +72,7 @@ class ShearedWorldMaker {
 
   void choose_response(World& world) {
     restitution_ = chance(0.6) ? 1 : between(0.3, 1);
-    BounceRules rules{.restitution = ConstantRestitution(restitution_)};
+    BounceRules rules{.restitution = ConstantRestitution{restitution_}};
     if (restitution_ < 1) rules.elastic_below = 0.01 * speed_;
     is_rough_ = chance(0.2);
     if (is_rough_) rules.tangential_restitution = between(-1, 1);
