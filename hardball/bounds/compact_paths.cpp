@@ -120,7 +120,7 @@ void CompactPaths::choose_units(const World& world) {
     scale_.gravity[axis] = static_cast<float>(world.motion().gravity()[axis] / speed_unit * time_unit_);
   }
   scale_.has_gravity = fall > 0;
-  most_moved_per_time_unit_ = kRoundedDown * most_moved_ * per_speed_;
+  per_most_moved_ = 1 / (kRoundedDown * most_moved_ * per_speed_);
   longest_age_of_all_ = scale_.has_gravity ? 0 : longest_age_;
   if (box.is_sheared())
     longest_age_of_all_ = std::min(longest_age_, kRoundedDown * most_moved_ / greatest_speed);

@@ -72,9 +72,8 @@ class CompactPaths {
   /// Whether the copy of one sphere is certainly good for this time [T].
   bool is_good_for(Slot slot, double time) const {
     const auto& v = paths_[slot].velocity;
-    const auto most = static_cast<float>(most_moved_per_time_unit_);
-    const auto t = static_cast<float>(time);
-    return (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * (t * t) < most * most && !scale_.has_gravity &&
+    const auto per_speed = static_cast<float>(time * per_most_moved_);
+    return (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * (per_speed * per_speed) < 1 && !scale_.has_gravity &&
            time < longest_age_;
   }
   /// How long that of one sphere is [T].
@@ -179,7 +178,7 @@ class CompactPaths {
   double per_speed_ = 1;
   double farthest_ = 1;
   double most_moved_ = 1;
-  double most_moved_per_time_unit_ = 1;  // rounded down, in units of speed, times time [T]
+  double per_most_moved_ = 1;  // its reciprocal, rounded up, times the unit of speed [1/T]
   double length_unit_ = 1;
   double time_unit_ = 1;
   double ticks_per_time_ = 1;

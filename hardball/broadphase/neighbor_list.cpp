@@ -11,7 +11,6 @@
 #include <type_traits>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/geometry/inlining.hpp"
 #include "hardball/geometry/wait_in_ball.hpp"
 
 namespace hardball {

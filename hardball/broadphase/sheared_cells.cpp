@@ -37,10 +37,11 @@ bool are_good(const Subdivision& cells, const World& world, double radius) {
 // Calls visit(direction) for each direction of a ShearedBlock, which is a constant.
 template <class Visit>
 HARDBALL_ALWAYS_INLINE void for_each_direction(Visit&& visit) {
-  [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
-    (visit(std::integral_constant<std::size_t, kIndex>()), ...);
-  }
-  (std::make_index_sequence<ShearedBlock::kDirections>());
+  static_assert(ShearedBlock::kDirections == 4);
+  visit(std::integral_constant<std::size_t, 0>());
+  visit(std::integral_constant<std::size_t, 1>());
+  visit(std::integral_constant<std::size_t, 2>());
+  visit(std::integral_constant<std::size_t, 3>());
 }
 
 // The radius for which cells are made.
