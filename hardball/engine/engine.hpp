@@ -87,7 +87,7 @@ class Engine {
           next = least_until(limits.until);
           if (next == kNoOwner) return RunStatus::time_reached;
           if (steps++ == limits.steps) return RunStatus::steps_reached;
-          prefetching_.prefetch_ahead(forecast_, queue_);
+          prefetching_.prefetch_ahead(forecast_, queue_, observe);
         } while (handle_without_contact(next));
         carry_out(next);
       } else {
@@ -165,11 +165,12 @@ class Engine {
 
   /// Removes a sphere at `moment`. Precondition: as for change_velocities. Cost: as of a collision. Error: no
   /// sphere has this id.
-  void remove(SphereId id, const Time& moment) {
-    const Slot slot = world().slot_of(id);
+  void remove(SphereId id, const Time& moment) { remove_at(world().slot_of(id), moment); }
+  /// The same of the sphere in a slot.
+  void remove_at(Slot slot, const Time& moment) {
     journal_.note_merged(moment, aftermath_.merged);
-    aftermath_.merged.forget(id);
-    if (is_outdated_) return forecast_.world().remove(id, moment);
+    aftermath_.merged.forget(world().id(slot));
+    if (is_outdated_) return forecast_.world().remove_at(slot, moment);
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
     remove_from_forecast(slot);

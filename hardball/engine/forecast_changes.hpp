@@ -56,7 +56,7 @@ template <BroadPhase Phase>
 void Forecast<Phase>::remove(Slot slot) {
   const auto last = static_cast<Slot>(world_.size() - 1);
   erase(slot);
-  world_.remove(world_.id(slot), now_);
+  world_.remove_at(slot, now_);
   if (slot == last) return;
   phase_.move(last, slot);
   compact_.move(last, slot);

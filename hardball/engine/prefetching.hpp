@@ -14,14 +14,15 @@ namespace hardball {
 /// Prefetches what the next events need, as the calendar knows which spheres come next.
 class Prefetching {
  public:
-  /// To be called before every event.
-  template <class Forecast, class Queue>
-  void prefetch_ahead(const Forecast& forecast, const Queue& queue) {
+  /// To be called before every event. `observe` is told of contacts; what it needs for that is prefetched by
+  /// observe.prefetch(slot), if it has such a member.
+  template <class Forecast, class Queue, class Observe>
+  void prefetch_ahead(const Forecast& forecast, const Queue& queue, const Observe& observe) {
     if constexpr (requires { queue.upcoming(0); }) {
       if (forecast.is_cached()) {
-        prefetch_regions(forecast, queue);
+        prefetch_regions(forecast, queue, observe);
       } else {
-        prefetch_in_stages(forecast, queue);
+        prefetch_in_stages(forecast, queue, observe);
       }
     }
   }
@@ -41,22 +42,30 @@ class Prefetching {
   }
 
  private:
+  template <class Observe>
+  static void prefetch_for(const Observe& observe, Slot slot) {
+    if constexpr (requires { observe.prefetch(slot); }) observe.prefetch(slot);
+  }
+
   // Even with few spheres, regions may have been evicted from L1.
-  template <class Forecast, class Queue>
-  static void prefetch_regions(const Forecast& forecast, const Queue& queue) {
+  template <class Forecast, class Queue, class Observe>
+  static void prefetch_regions(const Forecast& forecast, const Queue& queue, const Observe& observe) {
     constexpr std::size_t kAhead = 2;
     constexpr std::size_t kPlan = 5;
     if (const Owner later = queue.upcoming(kPlan); later != kNoOwner) forecast.prefetch_event(later);
     const Owner slot = queue.upcoming(kAhead);
     if (slot == kNoOwner) return;
     const Plan& plan = forecast.plan(slot);
+    const Slot other = plan.has_partner() ? plan.partner() : slot;
     forecast.prefetch_sphere(slot);
-    forecast.prefetch_sphere(plan.has_partner() ? plan.partner() : slot);
+    forecast.prefetch_sphere(other);
+    prefetch_for(observe, slot);
+    prefetch_for(observe, other);
   }
 
   // Each stage runs a few events before the next, whose addresses it loads.
-  template <class Forecast, class Queue>
-  void prefetch_in_stages(const Forecast& forecast, const Queue& queue) {
+  template <class Forecast, class Queue, class Observe>
+  void prefetch_in_stages(const Forecast& forecast, const Queue& queue, const Observe& observe) {
     constexpr std::size_t kSphere = 9;
     constexpr std::size_t kPartner = 6;
     constexpr std::size_t kLists = 4;
@@ -79,7 +88,10 @@ class Prefetching {
     for_upcoming(kLists, [&](Slot slot) {
       const Plan& plan = forecast.plan(slot);
       phase.prefetch_lists(slot, plan.will_cross_first());
-      if (plan.meets_first()) phase.prefetch_lists(plan.partner(), false);
+      if (!plan.will_cross_first()) prefetch_for(observe, slot);
+      if (!plan.meets_first()) return;
+      phase.prefetch_lists(plan.partner(), false);
+      prefetch_for(observe, plan.partner());
     });
     for_upcoming(kCandidates, [&](Slot slot) {
       const Plan& plan = forecast.plan(slot);

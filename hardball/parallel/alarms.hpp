@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -13,15 +14,18 @@
 
 namespace hardball {
 
-/// When spheres must be looked at, up to a horizon: in buckets of time, unsorted. Cost: O(1) for each.
+/// When spheres must be looked at, by the slots in which they are stored, up to a horizon: in buckets of
+/// time, unsorted. Cost: O(1) for each.
+///
+/// A sphere that has an alarm does not get a later one. When it is due, the sphere may be on another path, or
+/// another sphere in its slot: whoever is there is looked at, and gets the alarm that it needs. So most
+/// contacts set none.
 class Alarms {
  public:
-  /// The sphere, if its path began then, must be looked at.
   struct Alarm {
     double time = 0;  ///< [T]
-    SphereId sphere = 0;
-    Slot slot = 0;  ///< Where it was stored.
-    Time path;
+    Slot slot = 0;
+    Time path;  ///< When the path began for which the alarm was set.
   };
 
   double horizon() const { return horizon_; }
@@ -32,20 +36,31 @@ class Alarms {
     buckets_per_time_ = std::min(kBuckets / (horizon - now), std::numeric_limits<double>::max());
     first_ = kBuckets - 1;
     for (std::vector<Alarm>& bucket : buckets_) bucket.clear();
+    std::ranges::fill(standing_, kNone);
   }
-  /// Precondition: it is not beyond the horizon, and not before the start.
+  /// Sets an alarm, unless the slot has an earlier one. Precondition: it is not beyond the horizon, and not
+  /// before the start.
   void set(const Alarm& alarm) {
     const std::size_t bucket = bucket_of(alarm.time);
+    if (alarm.slot >= standing_.size()) standing_.resize(alarm.slot + 1, kNone);
+    std::uint8_t& standing = standing_[alarm.slot];
+    if (bucket > standing) return;
+    standing = static_cast<std::uint8_t>(bucket);
     first_ = std::min(first_, bucket);
     buckets_[bucket].push_back(alarm);
   }
-  /// Takes those up to a time, in any order, and appends them to a list.
+  /// Takes those up to a time, in any order, and appends them to a list. Their slots have no alarm then.
   void take(double until, std::vector<Alarm>& taken) {
     for (const std::size_t last = bucket_of(until); first_ <= last; ++first_) {
       std::vector<Alarm>& bucket = buckets_[first_];
       const auto later = std::partition(bucket.begin(), bucket.end(),
                                         [until](const Alarm& alarm) { return alarm.time <= until; });
-      taken.insert(taken.end(), bucket.begin(), later);
+      for (auto alarm = bucket.begin(); alarm != later; ++alarm) {
+        std::uint8_t& standing = standing_[alarm->slot];
+        if (standing != first_) continue;  // the slot has had an earlier one
+        standing = kNone;
+        taken.push_back(*alarm);
+      }
       bucket.erase(bucket.begin(), later);
       if (first_ == last) return;
     }
@@ -54,11 +69,13 @@ class Alarms {
   std::size_t memory_bytes() const {
     std::size_t count = 0;
     for (const std::vector<Alarm>& bucket : buckets_) count += bucket.capacity();
-    return count * sizeof(Alarm);
+    return count * sizeof(Alarm) + standing_.capacity();
   }
 
  private:
-  static constexpr std::size_t kBuckets = 256;
+  // Few, so that the ends of all are in the cache.
+  static constexpr std::size_t kBuckets = 128;
+  static constexpr std::uint8_t kNone = 0xff;
 
   std::size_t bucket_of(double time) const {
     constexpr double kLast = kBuckets - 1;
@@ -70,6 +87,7 @@ class Alarms {
   double buckets_per_time_ = 0;
   std::size_t first_ = kBuckets - 1;  // those before it are empty
   std::array<std::vector<Alarm>, kBuckets> buckets_;
+  std::vector<std::uint8_t> standing_;  // by slot, the bucket of the first alarm
 };
 
 }  // namespace hardball

@@ -282,6 +282,11 @@ class Cluster {
     committed_ = open_.end.high;
     is_complete_ = !open_.is_step;
     ++window_counters_.windows;
+    if constexpr (HARDBALL_VALIDATE) {
+      constexpr std::uint64_t kEvery = 8;
+      if (window_counters_.windows % kEvery == 0)
+        each([](const Member& domain, std::size_t) { domain.validate(); });
+    }
   }
 
   void share_last_passage() {

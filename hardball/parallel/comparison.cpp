@@ -3,7 +3,8 @@
 #include "hardball/parallel/comparison.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include "hardball/errors/error.hpp"
 
@@ -72,81 +73,79 @@ class Course {
 
 }  // namespace
 
-void Comparison::mark(std::uint32_t ghost) {
-  chains_[ghost].first = Chain::kDiffers;
-  differing_.push_back(ghost);
-}
-
+// Both sides have their records in the order of time, so most stand opposite each other. Those that do not,
+// or that are not the same, are of ghosts that differ; or of simultaneous contacts in another order.
 void Comparison::find_differing(const Residents& residents, std::span<const GhostRecord> own,
                                 std::span<const Outbox* const> inboxes) {
   constexpr std::size_t kAhead = 8;
   differing_.clear();
-  chains_.resize(std::max(chains_.size(), residents.ghost_numbers()));
-  next_.assign(own.size(), Chain::kNone);
-  for (std::uint32_t number = 0; number < own.size(); ++number) {
-    Chain& chain = chains_[own[number].ghost];
-    (chain.first == Chain::kNone ? chain.first : next_[chain.last]) = number;
-    chain.last = number;
-  }
-  for (const Outbox* inbox : inboxes) {
-    for (std::size_t k = 0; k < inbox->records.size(); ++k) {
-      if (k + kAhead < inbox->records.size()) residents.prefetch_ghost(inbox->records[k + kAhead].sphere);
-      const PathRecord& record = inbox->records[k];
-      const std::uint32_t ghost = residents.find_ghost(record.sphere);
-      HARDBALL_CHECK(ghost != IdMap::kNone);
-      Chain& chain = chains_[ghost];
-      if (chain.first == Chain::kDiffers) continue;
-      if (chain.first == Chain::kNone || !(own[chain.first].record == record)) {
-        mark(ghost);
-      } else {
-        chain.first = next_[chain.first];
-      }
+  next_.assign(inboxes.size(), 0);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    if (k + kAhead < own.size()) residents.prefetch_ghost(own[k + kAhead].ghost);
+    const PathRecord& record = own[k].record;
+    const std::uint32_t owner = residents.ghost(own[k].ghost).owner;
+    const std::vector<PathRecord>& records = inboxes[owner]->records;
+    std::size_t& next = next_[owner];
+    for (; next < records.size() && records[next].time < record.time; ++next)
+      differing_.push_back(records[next].sphere);
+    if (next < records.size() && records[next] == record) {
+      ++next;
+    } else {
+      differing_.push_back(record.sphere);
     }
   }
-  for (const GhostRecord& record : own) {
-    const std::uint32_t first = chains_[record.ghost].first;
-    if (first != Chain::kNone && first != Chain::kDiffers) mark(record.ghost);
+  for (std::size_t k = 0; k < inboxes.size(); ++k) {
+    const std::vector<PathRecord>& records = inboxes[k]->records;
+    for (std::size_t next = next_[k]; next < records.size(); ++next)
+      differing_.push_back(records[next].sphere);
   }
+  std::ranges::sort(differing_);
+  differing_.erase(std::unique(differing_.begin(), differing_.end()), differing_.end());
+}
+
+// The records of ghosts that differ, by ghost.
+void Comparison::collect_references(std::span<const GhostRecord> own,
+                                    std::span<const Outbox* const> inboxes) {
+  references_.clear();
+  if (differing_.empty()) return;
+  const auto note = [this](std::uint32_t number, const PathRecord& record, const GhostRecord* noted) {
+    if (std::ranges::binary_search(differing_, record.sphere))
+      references_.push_back({number, &record, noted});
+  };
+  for (const Outbox* inbox : inboxes) {
+    for (std::uint32_t number = 0; number < inbox->records.size(); ++number)
+      note(number, inbox->records[number], nullptr);
+  }
+  for (std::uint32_t number = 0; number < own.size(); ++number)
+    note(number, own[number].record, &own[number]);
+  std::ranges::sort(references_, [](const Reference& a, const Reference& b) {
+    if (a.record->sphere != b.record->sphere) return a.record->sphere < b.record->sphere;
+    if ((a.own == nullptr) != (b.own == nullptr)) return a.own == nullptr;
+    return a.number < b.number;
+  });
 }
 
 double Comparison::compare(const World& world, const Residents& residents, const Frontier& frontier,
                            std::span<const GhostRecord> own, std::span<const Outbox* const> inboxes,
                            double begin, double end, std::vector<Outbox>& outboxes) {
   find_differing(residents, own, inboxes);
-  references_.clear();
+  collect_references(own, inboxes);
   corrections_.clear();
-  if (!differing_.empty()) {
-    for (const Outbox* inbox : inboxes) {
-      for (std::uint32_t number = 0; number < inbox->records.size(); ++number) {
-        const PathRecord& record = inbox->records[number];
-        const std::uint32_t ghost = residents.find_ghost(record.sphere);
-        if (chains_[ghost].first == Chain::kDiffers) references_.push_back({ghost, number, &record, nullptr});
-      }
-    }
-    for (std::uint32_t number = 0; number < own.size(); ++number) {
-      const GhostRecord& record = own[number];
-      if (chains_[record.ghost].first == Chain::kDiffers)
-        references_.push_back({record.ghost, number, &record.record, &record});
-    }
-  }
-  for (const GhostRecord& record : own) chains_[record.ghost] = {};
-  for (const std::uint32_t ghost : differing_) chains_[ghost] = {};
-  std::ranges::sort(references_, [](const Reference& a, const Reference& b) {
-    if (a.ghost != b.ghost) return a.ghost < b.ghost;
-    if ((a.own == nullptr) != (b.own == nullptr)) return a.own == nullptr;
-    return a.number < b.number;
-  });
-
   double bad = kNeverBad;
-  for (auto first = references_.begin(); first != references_.end();) {
-    const std::uint32_t ghost = first->ghost;
-    const auto last =
-        std::find_if(first, references_.end(), [&](const Reference& r) { return r.ghost != ghost; });
+  for (auto next = references_.begin(); next != references_.end();) {
+    const auto first = next;
+    const SphereId sphere = first->record->sphere;
+    const auto last = std::find_if(first, references_.end(),
+                                   [&](const Reference& r) { return r.record->sphere != sphere; });
     const auto middle = std::find_if(first, last, [](const Reference& r) { return r.own != nullptr; });
     auto true_one = first;
     auto own_one = middle;
     for (; true_one != middle && own_one != last && *true_one->record == *own_one->record; ++own_one)
       ++true_one;
+    next = last;
+    if (true_one == middle && own_one == last) continue;
+    const std::uint32_t ghost = residents.find_ghost(sphere);
+    HARDBALL_CHECK(ghost != IdMap::kNone);
     const Slot slot = residents.ghost(ghost).slot;
     const Path& begin_path = middle != last ? middle->own->path_before : world.path(slot);
     const Vec3 begin_spin = middle != last ? middle->own->spin_before : world.spin(slot);
@@ -168,7 +167,6 @@ double Comparison::compare(const World& world, const Residents& residents, const
     course.end(end);
     if (course.comes_within(frontier.guard()))
       outboxes[residents.ghost(ghost).owner].doubts.push_back(course.doubt(since));
-    first = last;
   }
   return bad;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -46,16 +45,8 @@ class Comparison {
   std::span<const Correction> corrections() const { return corrections_; }
 
  private:
-  // The records of a ghost that remain to be compared.
-  struct Chain {
-    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    static constexpr std::uint32_t kDiffers = kNone - 1;
-    std::uint32_t first = kNone;
-    std::uint32_t last = kNone;
-  };
   // A record of a ghost that differs; those of its owner come first.
   struct Reference {
-    std::uint32_t ghost;
     std::uint32_t number;
     const PathRecord* record;
     const GhostRecord* own;  // none in a record of the owner
@@ -63,11 +54,10 @@ class Comparison {
 
   void find_differing(const Residents& residents, std::span<const GhostRecord> own,
                       std::span<const Outbox* const> inboxes);
-  void mark(std::uint32_t ghost);
+  void collect_references(std::span<const GhostRecord> own, std::span<const Outbox* const> inboxes);
 
-  std::vector<Chain> chains_;        // by ghost
-  std::vector<std::uint32_t> next_;  // of the same ghost, by record
-  std::vector<std::uint32_t> differing_;
+  std::vector<std::size_t> next_;  // by neighbor, the first of its records that remains to be compared
+  std::vector<SphereId> differing_;
   std::vector<Reference> references_;
   std::vector<Correction> corrections_;
 };

@@ -163,11 +163,24 @@ class Domain {
     return bad;
   }
 
+  /// Checks who owns and holds each own sphere; throws BrokenInvariant. Precondition: no window is under way.
+  /// Cost: O(n).
+  void validate() const {
+    for (Slot slot = 0; slot < world().size(); ++slot) {
+      if (!residents_.is_own(slot)) continue;
+      const Time now = later(begin_, world().path(slot).time);
+      const Frontier::Distances place = frontier_.distances(folded_state(slot, now).position);
+      HARDBALL_CHECK(frontier_.fits(place, residents_.holders(slot)));
+    }
+  }
+
   /// Goes back to the start of the window.
   void undo() {
     engine_.rewind_to_begin();
-    for (const Frontier::Alarm& alarm : due_) frontier_.put_back(alarm);
-    due_.clear();
+    // What they were set for may not happen again, or something else sooner.
+    for (const Frontier::Alarm& alarm : taken_) frontier_.set_alarm({begin_.high, alarm.slot, kNever});
+    taken_.clear();
+    touched_.clear();
   }
 
   /// Takes the window, up to `moment`, as what has happened. Decides who owns and holds its spheres from then
@@ -185,22 +198,16 @@ class Domain {
   /// Changes the velocities of spheres that it holds, at `moment`. Precondition: no window is under way; all
   /// events before it have been handled, and none after it.
   void change_velocity(SphereId sphere, const Vec3& velocity, const Time& moment) {
-    if (!world().contains(sphere)) return;
-    const Slot slot = world().slot_of(sphere);
-    const NewVelocity change{slot, world().velocity(slot, moment), velocity};
+    const std::optional<Slot> slot = world().find(sphere);
+    if (!slot) return;
+    const NewVelocity change{*slot, world().velocity(*slot, moment), velocity};
     engine_.change_velocities(moment, {&change, 1});
     begin_ = later(begin_, moment);
-    if (residents_.is_own(slot)) set_alarm(slot);
+    if (residents_.is_own(*slot)) set_alarm(*slot);
   }
   /// Removes a sphere if it holds it. Precondition: as for change_velocity.
   void remove(SphereId sphere, const Time& moment) {
-    if (!world().contains(sphere)) return;
-    begin_ = later(begin_, moment);
-    const Slot slot = world().slot_of(sphere);
-    engine_.remove(sphere, moment);
-    residents_.erase(slot);
-    // The sphere that is stored there now.
-    if (slot < world().size() && residents_.is_own(slot)) set_alarm(slot);
+    if (const std::optional<Slot> slot = world().find(sphere)) remove_at(*slot, moment);
   }
   /// Holds a sphere that is new to the whole world, if it is near enough. Precondition: as for
   /// change_velocity.
@@ -239,6 +246,7 @@ class Domain {
   struct Notes {
     Domain& domain;
     void operator()(const Contact& contact) const { domain.note(contact); }
+    void prefetch(Slot slot) const { domain.residents_.prefetch(slot); }
   };
 
   World residents_of(const World& whole, std::span<const DomainNumber> owners, const Time& now) {
@@ -260,6 +268,14 @@ class Domain {
     }
     begin_ = now;
     return world;
+  }
+
+  void remove_at(Slot slot, const Time& moment) {
+    begin_ = later(begin_, moment);
+    engine_.remove_at(slot, moment);
+    residents_.erase(slot);
+    // The sphere that is stored there from now on.
+    if (slot < world().size() && residents_.is_own(slot)) set_alarm(slot);
   }
 
   std::uint32_t neighbor_number(DomainNumber domain) const {
@@ -342,7 +358,8 @@ class Domain {
     const NeighborSet holders = residents_.holders(slot);
     const Frontier::Distances place = frontier_.distances(leg.end_position);
     frontier_.note(leg, place, holders, outboxes_);
-    frontier_.set_alarm({0, id, slot, world().path(slot).time}, place, holders, after, leg.end);
+    frontier_.set_alarm(
+        {frontier_.time_of_change(place, holders, after, leg.end), slot, world().path(slot).time});
     if (holders == 0) return;
     PathRecord record = record_of(slot, id, contact);
     const bool turns = contact.outcome == ContactOutcome::bounce;
@@ -380,37 +397,61 @@ class Domain {
     engine_.take_over(aftermath);
   }
 
-  Frontier::Alarm alarm_of(Slot slot) const { return {0, world().id(slot), slot, world().path(slot).time}; }
-
-  void set_alarm(Slot slot) {
-    const Time now = later(later(begin_, engine_.now()), world().path(slot).time);
-    State state = world().motion().state_at(world().path(slot), now);
+  // Where a sphere is at a moment, inside the box.
+  State folded_state(Slot slot, const Time& moment) const {
+    State state = world().motion().state_at(world().path(slot), moment);
     world().box().fold(state.position);
-    const Frontier::Distances place = frontier_.distances(state.position);
-    frontier_.set_alarm(alarm_of(slot), place, residents_.holders(slot), state.velocity, now.high);
+    return state;
   }
 
-  // The legs of spheres without a contact since their alarm was set.
+  // The alarm that an own sphere needs from a moment on.
+  Frontier::Alarm alarm_of(Slot slot, const State& state, const Frontier::Distances& place,
+                           const Time& moment) const {
+    return {frontier_.time_of_change(place, residents_.holders(slot), state.velocity, moment.high), slot,
+            world().path(slot).time};
+  }
+  Frontier::Alarm alarm_since(Slot slot, const Time& moment) const {
+    const Time now = later(moment, world().path(slot).time);
+    const State state = folded_state(slot, now);
+    return alarm_of(slot, state, frontier_.distances(state.position), now);
+  }
+  void set_alarm(Slot slot) { frontier_.set_alarm(alarm_since(slot, later(begin_, engine_.now()))); }
+
+  // The last legs of spheres whose owner or holders may change in the window. Others whose alarm is due are
+  // on another path than that for which it was set, and get another.
   void end_legs(double until) {
-    frontier_.take_alarms(until, due_);
-    for (std::size_t k = 0; k < due_.size(); ++k) {
-      constexpr std::size_t kAhead = 8;
-      if (k + kAhead < due_.size()) world().prefetch(due_[k + kAhead].slot);
-      const Frontier::Alarm& alarm = due_[k];
-      if (!concerns_own(alarm)) continue;
-      const Path& path = world().path(alarm.slot);
-      State state = world().motion().state_at(path, later(Time(until), path.time));
-      world().box().fold(state.position);
-      frontier_.note({path.time.high, until, state.position, state.velocity},
-                     frontier_.distances(state.position), residents_.holders(alarm.slot), outboxes_);
+    take_alarms(until, [&](const Frontier::Alarm& alarm) {
+      const Slot slot = alarm.slot;
+      if (alarm.path != world().path(slot).time) {
+        const Frontier::Alarm next = alarm_since(slot, begin_);
+        if (next.time > until) return frontier_.set_alarm(next);
+      }
+      touched_.push_back(slot);
+      const Time& since = world().path(slot).time;
+      const State state = folded_state(slot, later(Time(until), since));
+      frontier_.note({since.high, until, state.position, state.velocity}, frontier_.distances(state.position),
+                     residents_.holders(slot), outboxes_);
+    });
+  }
+
+  // Calls visit(alarm) for those up to a time, where own spheres are stored.
+  template <class Visit>
+  void take_alarms(double until, Visit&& visit) {
+    constexpr std::size_t kAhead = 8;
+    const std::size_t first = taken_.size();
+    frontier_.take_alarms(until, taken_);
+    for (std::size_t k = first; k < std::min(first + kAhead, taken_.size()); ++k) prefetch(taken_[k].slot);
+    for (std::size_t k = first; k < taken_.size(); ++k) {
+      if (k + kAhead < taken_.size()) prefetch(taken_[k + kAhead].slot);
+      const Frontier::Alarm& alarm = taken_[k];
+      if (alarm.slot < world().size() && residents_.is_own(alarm.slot)) visit(alarm);
     }
   }
 
-  // Whether the sphere is on the path for which the alarm was set. If it is in another slot, it has another
-  // alarm.
-  bool concerns_own(const Frontier::Alarm& alarm) const {
-    return alarm.slot < world().size() && world().path(alarm.slot).time == alarm.path &&
-           residents_.is_own(alarm.slot) && world().id(alarm.slot) == alarm.sphere;
+  // The slot need not be in use.
+  void prefetch(Slot slot) const {
+    world().prefetch(slot);
+    residents_.prefetch(slot);
   }
 
   // Decides who owns and holds an own sphere.
@@ -437,8 +478,8 @@ class Domain {
   bool is_summed_ = true;
   std::vector<LoggedContact> log_;
   std::vector<GhostRecord> ghost_records_;
-  std::vector<Frontier::Alarm> due_;
-  std::vector<Slot> touched_;  // own spheres whose owner or holders may change
+  std::vector<Frontier::Alarm> taken_;  // alarms
+  std::vector<Slot> touched_;           // own spheres whose owner or holders may change
   std::vector<NewPath> corrected_;
   std::vector<SphereState> arriving_;
   std::vector<SphereId> changed_;  // own spheres, since the last take_changed()

@@ -17,26 +17,27 @@ void Domain<Engine, Sums>::commit(const Time& moment) {
   if (changed_.size() > world().size()) have_all_changed_ = true;
   if (have_all_changed_) changed_.clear();
   for (Outbox& outbox : outboxes_) outbox.clear();
-  touched_.clear();
   // Those of a contact that is executed alone were set after the others were taken.
-  frontier_.take_alarms(moment.high, due_);
-  for (const Frontier::Alarm& alarm : due_) {
-    if (alarm.time > moment.high) {
-      frontier_.put_back(alarm);
-    } else if (concerns_own(alarm)) {
-      touched_.push_back(alarm.slot);
-    }
-  }
-  due_.clear();
+  take_alarms(moment.high, [&](const Frontier::Alarm& alarm) { touched_.push_back(alarm.slot); });
+  taken_.clear();
   std::ranges::sort(touched_);
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  for (const Slot slot : touched_) review(slot);
+  for (std::size_t k = 0; k < touched_.size(); ++k) {
+    constexpr std::size_t kAhead = 8;
+    if (k + kAhead < touched_.size()) prefetch(touched_[k + kAhead]);
+    review(touched_[k]);
+  }
+  touched_.clear();
 }
 
 template <class Engine, class Sums>
 void Domain<Engine, Sums>::receive(std::span<const Outbox* const> inboxes) {
   for (const Outbox* inbox : inboxes) {
-    for (const SphereId sphere : inbox->departures) remove(sphere, begin_);
+    for (const SphereId sphere : inbox->departures) {
+      const std::uint32_t ghost = residents_.find_ghost(sphere);
+      HARDBALL_CHECK(ghost != IdMap::kNone);
+      remove_at(residents_.ghost(ghost).slot, begin_);
+    }
   }
   correct();
   arriving_.clear();
@@ -70,8 +71,7 @@ void Domain<Engine, Sums>::receive(std::span<const Outbox* const> inboxes) {
 template <class Engine, class Sums>
 void Domain<Engine, Sums>::review(Slot slot) {
   if (!residents_.is_own(slot)) return;
-  State state = world().motion().state_at(world().path(slot), begin_);
-  world().box().fold(state.position);
+  const State state = folded_state(slot, begin_);
   const Frontier::Distances place = frontier_.distances(state.position);
   const SphereId id = world().id(slot);
   const NeighborSet before = residents_.holders(slot);
@@ -92,7 +92,7 @@ void Domain<Engine, Sums>::review(Slot slot) {
   }
   if (!is_outside) {
     residents_.set_holders(slot, holders);
-    return frontier_.set_alarm(alarm_of(slot), place, holders, state.velocity, begin_.high);
+    return frontier_.set_alarm(alarm_of(slot, state, place, begin_));
   }
   hand_over(slot, id, holders, owner);
 }

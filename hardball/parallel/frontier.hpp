@@ -81,6 +81,14 @@ class Frontier {
     return block_.distance(point) < -halo_.outer() ? 0 : holders_at(distances(point), 0);
   }
 
+  /// Whether a sphere that these neighbors hold is neither outside the block, nor must others hold it, nor
+  /// one of them no longer, but for rounding.
+  bool fits(const Distances& place, NeighborSet holders) const {
+    const double tolerance = 1e-9 * halo_.depth;
+    return place.own <= tolerance && nearest_not_held(place, holders) > halo_.depth - tolerance &&
+           farthest_held(place, holders) <= halo_.outer() + tolerance;
+  }
+
   /// The neighbor whose block is nearest. Precondition: there are neighbors.
   std::uint32_t nearest_neighbor(const Distances& point) const {
     const auto* const first = point.neighbors.begin();
@@ -105,21 +113,23 @@ class Frontier {
            depth > way(speed_after, alarms_.horizon() - now);
   }
 
-  /// Sets the alarm of a sphere that these neighbors hold, for when its owner or its holders may change: at
-  /// once if they do where it is now. `time` of the alarm need not be set.
-  void set_alarm(Alarm alarm, const Distances& place, NeighborSet holders, const Vec3& velocity, double now) {
+  /// When the owner or the holders may change of a sphere that these neighbors hold: at once if they do where
+  /// it is now [T].
+  double time_of_change(const Distances& place, NeighborSet holders, const Vec3& velocity, double now) const {
     const double nearest = nearest_not_held(place, holders);
     const double farthest = farthest_held(place, holders);
     const bool is_due = place.own > 0 || nearest <= halo_.depth || farthest > halo_.outer();
     const double distance = std::min({-place.own, halo_.outer() - farthest, nearest - halo_.depth});
     // A sphere at rest does not pass even no distance.
     const double wait = is_due ? 0 : time_to_pass(distance, largest_component(velocity), fall_);
-    alarm.time = now + wait * (1 - 0x1p-30);
+    return now + wait * (1 - 0x1p-30);
+  }
+  /// Sets an alarm, if it is not beyond the horizon.
+  void set_alarm(const Alarm& alarm) {
     if (alarm.time <= alarms_.horizon()) alarms_.set(alarm);
   }
   /// Takes the alarms up to a time.
   void take_alarms(double until, std::vector<Alarm>& taken) { alarms_.take(until, taken); }
-  void put_back(const Alarm& alarm) { alarms_.set(alarm); }
 
   /// Notes a leg of an own sphere that these neighbors hold, and tells others whom it may concern. `end` are
   /// the distances where it ends.

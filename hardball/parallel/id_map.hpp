@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "hardball/events/event.hpp"
-#include "hardball/memory/prefetch.hpp"
 
 namespace hardball {
 
@@ -26,7 +25,6 @@ class IdMap {
       if (entries_[at].number == kNone || entries_[at].id == id) return entries_[at].number;
     }
   }
-  void prefetch(SphereId id) const { hardball::prefetch(&entries_[start_of(id)]); }
 
   /// Sets the number of a sphere, which is not kNone.
   void set(SphereId id, std::uint32_t number) {

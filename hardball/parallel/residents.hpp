@@ -9,6 +9,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/memory/huge_pages.hpp"
+#include "hardball/memory/prefetch.hpp"
 #include "hardball/parallel/id_map.hpp"
 
 namespace hardball {
@@ -30,11 +31,16 @@ class Residents {
   /// The neighbors that hold an own sphere.
   NeighborSet holders(Slot slot) const { return is_shared(slot) ? roles_[slot] : 0; }
   void set_holders(Slot slot, NeighborSet holders) { set_role(slot, holders); }
+  /// Prefetches what a sphere is, which is known without it if it concerns nobody else. The slot need not be
+  /// in use.
+  void prefetch(Slot slot) const {
+    if (slot < size() && is_shared(slot)) hardball::prefetch(&roles_[slot]);
+  }
   /// The number of a ghost, which stays the same.
   std::uint32_t ghost_number(Slot slot) const { return roles_[slot] & ~kGhost; }
   /// The same of a sphere by id; IdMap::kNone if it is no ghost.
   std::uint32_t find_ghost(SphereId sphere) const { return numbers_.find(sphere); }
-  void prefetch_ghost(SphereId sphere) const { numbers_.prefetch(sphere); }
+  void prefetch_ghost(std::uint32_t number) const { hardball::prefetch(&ghosts_[number]); }
   const Ghost& ghost(std::uint32_t number) const { return ghosts_[number]; }
   void set_owner(std::uint32_t number, std::uint32_t owner) { ghosts_[number].owner = owner; }
   std::size_t size() const { return roles_.size(); }

@@ -168,8 +168,7 @@ void World::order_ids() {
   order_.sort(ids_, next_id_);
 }
 
-void World::remove(SphereId id, const Time& moment) {
-  const Slot slot = slot_of(id);
+void World::remove_at(Slot slot, const Time& moment) {
   while (!levels_.of(slot).empty()) {
     const PairLevel pair = levels_.of(slot).back();
     set_level(slot, pair.partner, pair.potential, 0, moment);
@@ -177,7 +176,7 @@ void World::remove(SphereId id, const Time& moment) {
   if (has_journal_) journal_.note(Journal::Kind::death, moment, slot, state_of(slot));
   const auto last = static_cast<Slot>(size() - 1);
   levels_.take_place(slot, last);
-  const std::size_t rank = rank_of(id);
+  const std::size_t rank = rank_of(ids_[slot]);
   if (slot != last) order_.move(rank_of(ids_[last]), slot);
   order_.erase(rank);
   if (is_kinematic(slot)) --kinematic_count_;
@@ -332,8 +331,8 @@ std::optional<Slot> World::find(SphereId id, Slot hint) const {
   return ids_[slot] == id ? std::optional(slot) : std::nullopt;
 }
 
-Slot World::slot_of(SphereId id) const {
-  const std::optional<Slot> slot = find(id);
+Slot World::slot_of(SphereId id, Slot hint) const {
+  const std::optional<Slot> slot = find(id, hint);
   if (!slot) throw Error("there is no sphere " + to_text(id), "sphere id", "use an id that add() returned");
   return *slot;
 }

@@ -92,7 +92,9 @@ class HARDBALL_EXPORT World {
 
   /// Removes a sphere; the one in the last slot takes its place. `moment` is for the journal. Cost: O(log n)
   /// amortized. Error: no sphere has this id.
-  void remove(SphereId id, const Time& moment = Time(0));
+  void remove(SphereId id, const Time& moment = Time(0)) { remove_at(slot_of(id), moment); }
+  /// The same of the sphere in a slot.
+  void remove_at(Slot slot, const Time& moment);
   /// Undoes the last addition, and releases its id. Precondition: nothing else has changed since.
   void undo_add();
 
@@ -209,8 +211,9 @@ class HARDBALL_EXPORT World {
   std::optional<Slot> find(SphereId id, Slot hint) const;
   std::optional<Slot> find(SphereId id) const { return find(id, id); }
 
-  /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
-  Slot slot_of(SphereId id) const;
+  /// Where the sphere with this id is stored. Cost: as of `find`. Error: no sphere has this id.
+  Slot slot_of(SphereId id, Slot hint) const;
+  Slot slot_of(SphereId id) const { return slot_of(id, id); }
 
   /// Where the sphere is stored that has `rank` lower ids before it. Precondition: `rank` is less than
   /// size().

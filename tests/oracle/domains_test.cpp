@@ -88,6 +88,23 @@ TEST(GasInDomains, HasOneHistoryWhereWindowsFail) {
   }
 }
 
+// A thin gas in which spheres come and go between domains all the time, for some flights: who owns and holds
+// them is checked on the way.
+TEST(GasInDomains, KnowsWhoHoldsSpheresThatComeAndGo) {
+  for (std::uint64_t seed = 0; seed < support::cases(8); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const World world = support::make_gas({.count = 4000, .packing_fraction = 0.02, .seed = seed});
+    const RunLimits limits{.contacts = 8000};
+    Simulation reference(world);
+    reference.run(limits);
+    for (const std::size_t domains : {std::size_t{4}, std::size_t{7}}) {
+      Simulation simulation(world, {.division = Division{.domains = domains}});
+      simulation.run(limits);
+      EXPECT_EQ(simulation.event_log_hash(), reference.event_log_hash()) << domains << " domains";
+    }
+  }
+}
+
 // Listeners that give spheres new velocities, remove them and add others cut windows short.
 TEST(EditedDomains, HaveTheHistoryOfAllPairs) {
   constexpr std::uint64_t kEdited = 60;

@@ -82,6 +82,23 @@ TEST_F(ComparisonTest, TrustsContactsThatBothHave) {
   EXPECT_EQ(compare({noted(same)}, {same, record(1, 0, 3)}), 3);
 }
 
+// The order in which simultaneous contacts of different spheres are noted says nothing.
+TEST_F(ComparisonTest, DoesNotMindTheOrderOfSimultaneousContacts) {
+  const PathRecord first = record(1, 0, 2);
+  const PathRecord second = record(2, 0, 2);
+  EXPECT_EQ(compare({noted(first), noted(second)}, {second, first}), kInfinity);
+  EXPECT_TRUE(comparison_.corrections().empty());
+  EXPECT_TRUE(outboxes_[0].doubts.empty());
+}
+
+// A ghost that differs takes none of the others with it.
+TEST_F(ComparisonTest, CorrectsOnlyWhatDiffers) {
+  const PathRecord same = record(2, 0, 2);
+  EXPECT_EQ(compare({noted(record(1, 7, 1)), noted(same)}, {record(1, 7, 1.5), same}), kInfinity);
+  ASSERT_EQ(comparison_.corrections().size(), 1U);
+  EXPECT_EQ(comparison_.corrections().front().ghost, residents_.find_ghost(1));
+}
+
 // A contact of ghosts matters where they come near the block: there the owner is told to doubt, since when.
 TEST_F(ComparisonTest, DoubtsGhostsThatDifferNearTheBlock) {
   EXPECT_EQ(compare({noted(record(1, 2, 1))}, {record(1, 2, 1.5)}), kInfinity);
