@@ -11,6 +11,7 @@
 
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/time.hpp"
+#include "hardball/memory/prefetch.hpp"
 
 namespace hardball {
 
@@ -49,6 +50,8 @@ class Alarms {
     first_ = std::min(first_, bucket);
     buckets_[bucket].push_back(alarm);
   }
+  /// Prefetches what `set` needs. The slot need not be in use.
+  void prefetch(Slot slot) const { hardball::prefetch(standing_.data() + slot); }
   /// Takes those up to a time, in any order, and appends them to a list. Their slots have no alarm then.
   void take(double until, std::vector<Alarm>& taken) {
     for (const std::size_t last = bucket_of(until); first_ <= last; ++first_) {

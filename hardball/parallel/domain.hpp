@@ -246,7 +246,11 @@ class Domain {
   struct Notes {
     Domain& domain;
     void operator()(const Contact& contact) const { domain.note(contact); }
-    void prefetch(Slot slot) const { domain.residents_.prefetch(slot); }
+    void prefetch(Slot slot) const {
+      if (!domain.residents_.is_shared(slot)) return;
+      domain.residents_.prefetch(slot);
+      domain.frontier_.prefetch_alarm(slot);
+    }
   };
 
   World residents_of(const World& whole, std::span<const DomainNumber> owners, const Time& now) {

@@ -128,6 +128,7 @@ class Frontier {
   void set_alarm(const Alarm& alarm) {
     if (alarm.time <= alarms_.horizon()) alarms_.set(alarm);
   }
+  void prefetch_alarm(Slot slot) const { alarms_.prefetch(slot); }
   /// Takes the alarms up to a time.
   void take_alarms(double until, std::vector<Alarm>& taken) { alarms_.take(until, taken); }
 

@@ -31,11 +31,10 @@ class Residents {
   /// The neighbors that hold an own sphere.
   NeighborSet holders(Slot slot) const { return is_shared(slot) ? roles_[slot] : 0; }
   void set_holders(Slot slot, NeighborSet holders) { set_role(slot, holders); }
-  /// Prefetches what a sphere is, which is known without it if it concerns nobody else. The slot need not be
-  /// in use.
-  void prefetch(Slot slot) const {
-    if (slot < size() && is_shared(slot)) hardball::prefetch(&roles_[slot]);
-  }
+  /// Whether a sphere concerns other domains, too.
+  bool is_shared(Slot slot) const { return (are_shared_[slot / kBits] >> (slot % kBits) & 1) != 0; }
+  /// Prefetches what a sphere is that concerns others. The slot need not be in use.
+  void prefetch(Slot slot) const { hardball::prefetch(roles_.data() + slot); }
   /// The number of a ghost, which stays the same.
   std::uint32_t ghost_number(Slot slot) const { return roles_[slot] & ~kGhost; }
   /// The same of a sphere by id; IdMap::kNone if it is no ghost.
@@ -101,7 +100,6 @@ class Residents {
   static constexpr std::uint32_t kGhost = 1U << kMaxNeighbors;
   static constexpr std::size_t kBits = 64;
 
-  bool is_shared(Slot slot) const { return (are_shared_[slot / kBits] >> (slot % kBits) & 1) != 0; }
   void add_slot() {
     roles_.push_back(0);
     if (are_shared_.size() * kBits < size()) are_shared_.push_back(0);
