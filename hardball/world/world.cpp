@@ -331,8 +331,8 @@ std::optional<Slot> World::find(SphereId id, Slot hint) const {
   return ids_[slot] == id ? std::optional(slot) : std::nullopt;
 }
 
-Slot World::slot_of(SphereId id, Slot hint) const {
-  const std::optional<Slot> slot = find(id, hint);
+Slot World::slot_of(SphereId id) const {
+  const std::optional<Slot> slot = find(id);
   if (!slot) throw Error("there is no sphere " + to_text(id), "sphere id", "use an id that add() returned");
   return *slot;
 }

@@ -211,9 +211,8 @@ class HARDBALL_EXPORT World {
   std::optional<Slot> find(SphereId id, Slot hint) const;
   std::optional<Slot> find(SphereId id) const { return find(id, id); }
 
-  /// Where the sphere with this id is stored. Cost: as of `find`. Error: no sphere has this id.
-  Slot slot_of(SphereId id, Slot hint) const;
-  Slot slot_of(SphereId id) const { return slot_of(id, id); }
+  /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
+  Slot slot_of(SphereId id) const;
 
   /// Where the sphere is stored that has `rank` lower ids before it. Precondition: `rank` is less than
   /// size().

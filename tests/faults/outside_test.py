@@ -36,8 +36,12 @@ class Signals(FaultTest):
                 end = ended(process)
                 if end.code == DONE:
                     break
-                # Before it listens, a signal ends it at once, and it has not begun to write.
+                # Before it listens, a signal ends it at once, and during the set-up in order: it has not begun to
+                # write.
                 if end.code < 0:
+                    self.assertFalse((out / "run.lock").exists())
+                elif end.code == FAILED and "during the set-up" in end.messages:
+                    self.assert_failed(end, "interrupted")
                     self.assertFalse((out / "run.lock").exists())
                 elif end.code == FAILED:
                     self.assert_failed(end, "interrupted at time")
