@@ -19,8 +19,8 @@ namespace hardball {
 /// time, unsorted. Cost: O(1) for each.
 ///
 /// A sphere that has an alarm does not get a later one. When it is due, the sphere may be on another path, or
-/// another sphere in its slot: whoever is there is looked at, and gets the alarm that it needs. So most
-/// contacts set none.
+/// another sphere in its slot: whoever is there is looked at, and gets the alarm that it needs. So not
+/// every contact sets one.
 class Alarms {
  public:
   struct Alarm {
