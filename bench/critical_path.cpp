@@ -146,7 +146,7 @@ class CriticalPath {
     const ForEach in_turn = [](std::size_t domains, const Function<void(std::size_t)>& work) {
       for (std::size_t domain = 0; domain < domains; ++domain) work(domain);
     };
-    Members members(make_members(count), engine_.now(), window_settings(), phase_, in_turn);
+    Members members(make_members(count), engine_.now(), window_settings(), in_turn);
     for (std::size_t k = 0; k < count; ++k) members.domain(k).clear_sums(sums_.part());
     for (std::size_t window = 0; window < options_.warm_up; ++window) run_window(members);
     // All frontiers are watched now, and not again for many windows.
@@ -166,22 +166,22 @@ class CriticalPath {
   static constexpr EngineKind kKind =
       std::is_same_v<Phase, CellGrid> ? EngineKind::cells : EngineKind::neighbors;
 
-  SingleEngine make_engine(World world, const Time& now) const {
-    return SingleEngine(std::move(world), Phase(phase_), now, phase_.instructions);
+  static SingleEngine make_engine(World world, const PhaseSettings& phase, const Time& now) {
+    return SingleEngine(std::move(world), Phase(phase), now, phase.instructions);
   }
 
   SingleEngine equilibrated(const Options& options) {
     World world = make_start(options);
     phase_.length = choose_length(world, gas_statistics(world, Time(0)), kKind, {}, Time(0));
     world.reorder(order_along_curve(world, Time(0)));
-    SingleEngine engine = make_engine(std::move(world), Time(0));
+    SingleEngine engine = make_engine(std::move(world), phase_, Time(0));
     const double contacts = options.equilibration * static_cast<double>(options.spheres) / 2;
     engine.run({.contacts = static_cast<std::uint64_t>(contacts)}, [](const Contact&) {});
     const Time now = engine.now();
     World then = engine.world();
     then.reorder(order_along_curve(then, now));
     phase_.length = choose_length(then, gas_statistics(then, now), kKind, {}, now);
-    return make_engine(std::move(then), now);
+    return make_engine(std::move(then), phase_, now);
   }
 
   SystemSize system_size() const {
@@ -207,8 +207,10 @@ class CriticalPath {
                     "give fewer domains, or more spheres");
       }
       members.push_back(std::make_unique<typename Members::Member>(
-          world, owners, engine_.now(), partition, number, around,
-          [this](World part) { return make_engine(std::move(part), engine_.now()); }));
+          world, owners, engine_.now(), partition, number, around, phase_,
+          [this](World part, const PhaseSettings& phase) {
+            return make_engine(std::move(part), phase, engine_.now());
+          }));
     }
     return members;
   }
@@ -420,7 +422,7 @@ class CriticalPath {
           processor_seconds_of([&] { bad = std::min(bad, domain.doubtful_since(before)); }),
           processor_seconds_of([&] { domain.commit(Time(recorded.end)); }), processor_seconds_of([&] {
             domain.receive(after);
-            domain.make_ready(phase_);
+            domain.make_ready();
           })};
       if (bad <= recorded.end) throw std::logic_error("a domain alone is wrong");
       for (std::size_t step = 0; window >= kUnmeasured && step < kSteps.size(); ++step)

@@ -9,6 +9,7 @@
 #include "hardball/bounds/compact_paths.hpp"
 #include "hardball/broadphase/candidates.hpp"
 #include "hardball/events/plan.hpp"
+#include "hardball/geometry/extent.hpp"
 #include "hardball/kernels/instruction_set.hpp"
 #include "hardball/world/world.hpp"
 
@@ -18,10 +19,17 @@ namespace hardball {
 struct PhaseSettings {
   double length = 1;  ///< The wanted edge of cells, or the skin of lists; of no use to all pairs [L].
   InstructionSet instructions = widest_instruction_set();  ///< For kernels.
+  Extent expected;  ///< Where the centers of spheres are expected; elsewhere they are found slowly.
 
   PhaseSettings() = default;
   PhaseSettings(double wanted_length, InstructionSet available = widest_instruction_set())
       : length(wanted_length), instructions(available) {}
+  /// The same where the centers of spheres are expected in a part of space.
+  PhaseSettings within(const Extent& extent) const {
+    PhaseSettings settings = *this;
+    settings.expected = extent;
+    return settings;
+  }
 };
 
 /// The lengths that follow from the settings and the world; zero where there are none.

@@ -22,19 +22,9 @@ class CellBlock {
   static constexpr std::uint32_t kCells = 8;
   static constexpr std::array<std::uint32_t, kAxes> kAxisBit{4, 2, 1};
 
-  /// What the lower and the upper cells along an axis contribute to the number of a list.
-  using Parts = std::array<std::uint32_t, 2>;
-  HARDBALL_ALWAYS_INLINE static Parts parts_of(const Subdivision& cells, const CellTable& table,
-                                               std::size_t axis, std::int32_t low) {
-    const std::int32_t index = cells.folded(axis, low);
-    const std::uint32_t lower = table.part(axis, index);
-    return {lower, index + 1 == cells.period(axis) ? 0 : lower + table.stride(axis)};
-  }
-
   /// The block whose lowest cell is `low`.
-  HARDBALL_ALWAYS_INLINE CellBlock(const Subdivision& cells, const CellIndex& low, const CellTable& table)
-      : table_(table) {
-    for_each_axis([&](auto axis) { parts_[axis] = parts_of(cells, table, axis, low[axis]); });
+  HARDBALL_ALWAYS_INLINE CellBlock(const CellTable& table, const CellIndex& low) : table_(table) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) parts_[axis] = table.parts_from(axis, low[axis]);
   }
 
   /// The list of a cell.
@@ -43,7 +33,7 @@ class CellBlock {
   /// Calls visit(list) for a set of cells.
   template <class Visit>
   void for_each_list(std::uint32_t cells, Visit&& visit) const {
-    if (table_.is_shared()) [[unlikely]]
+    if (table_.is_spread()) [[unlikely]]
       return for_each_cell(cells, [&](std::uint32_t cell) { visit(list(cell)); });
     for_each_cell(cells, [&](std::uint32_t cell) { visit(sum(cell)); });
   }
@@ -76,7 +66,7 @@ class CellBlock {
   }
 
   const CellTable& table_;
-  std::array<Parts, kAxes> parts_;
+  std::array<CellTable::Pair, kAxes> parts_;
 };
 
 }  // namespace hardball

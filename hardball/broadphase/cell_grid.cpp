@@ -26,7 +26,7 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
   largest_built_ = std::min(world.room_to_grow() * largest, largest_radius_);
   if (!images_are_nearest()) largest_built_ = largest;
   nearest_ = images_are_nearest();
-  table_ = CellTable(cells_.shape(), world.size());
+  table_ = CellTable(cells_, world.size(), cells_.spans_of(expected_.grown(largest_built_)));
   lists_.reset(table_.size());
   blocks_ = nearest_ && fits_into_cells(largest);
   copies.reset(world, std::max(farthest_candidates(), farthest_of_guests_), now);

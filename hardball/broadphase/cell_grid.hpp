@@ -27,12 +27,16 @@ namespace hardball {
 class CellGrid : public WithSphereLines<CellRegion> {
  public:
   /// The length is the wanted edge of a cell; see Subdivision.
-  explicit CellGrid(const PhaseSettings& settings) : wanted_edge_(settings.length) {}
+  explicit CellGrid(const PhaseSettings& settings)
+      : wanted_edge_(settings.length), expected_(settings.expected) {}
 
   /// A grid of spheres whose radius is at most `largest_radius` [L]. Another broad phase adds the others as
   /// guests; their candidates are at most `farthest` [L] away.
-  CellGrid(double edge, double largest_radius, double farthest)
-      : wanted_edge_(edge), largest_radius_(largest_radius), farthest_of_guests_(farthest) {}
+  CellGrid(const PhaseSettings& settings, double largest_radius, double farthest)
+      : wanted_edge_(settings.length),
+        expected_(settings.expected),
+        largest_radius_(largest_radius),
+        farthest_of_guests_(farthest) {}
 
   static bool supports(const World& world, double) { return !world.box().is_sheared(); }
   PhaseLengths lengths() const { return {.cell_edges = cells_.edges()}; }
@@ -114,14 +118,14 @@ class CellGrid : public WithSphereLines<CellRegion> {
   }
   // Calls visit(list) for each cell of a range, which is part of a block if regions are blocks.
   template <class Visit>
-  void for_each_list(const CellRange& range, Visit&& visit) const {
+  HARDBALL_ALWAYS_INLINE void for_each_list(const CellRange& range, Visit&& visit) const {
     if (!blocks_) {
       return cells_.for_each_folded(
           range, [&](const CellIndex&, const CellIndex& cell) { visit(table_.list(cell)); });
     }
     std::uint32_t wide = 0;
     for_each_axis([&](auto axis) { wide |= CellBlock::axis_if(range.high[axis] > range.low[axis], axis); });
-    CellBlock(cells_, range.low, table_).for_each_list(CellBlock::cells_above(0, wide), visit);
+    CellBlock(table_, range.low).for_each_list(CellBlock::cells_above(0, wide), visit);
   }
   double next_crossing_of_any(const World& world, Slot slot, const Time& now);
   // The position on the grid of CompactPaths of the lower face of the cells with this index.
@@ -139,7 +143,9 @@ class CellGrid : public WithSphereLines<CellRegion> {
   void collect_from(const World& world, Slot slot, const CellRange& range, Candidates& candidates) const;
   void collect_images(const World& world, Slot other, Candidates& candidates) const;
   bool fits_into_cells(double radius) const;
-  CellBlock block_of(const CellRegion& region) const { return CellBlock(cells_, region.low, table_); }
+  HARDBALL_ALWAYS_INLINE CellBlock block_of(const CellRegion& region) const {
+    return CellBlock(table_, region.low);
+  }
   void collect_list(std::uint32_t list, Candidates& candidates) const {
     lists_.for_each_line(list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
       candidates.add(slots, count);
@@ -154,6 +160,7 @@ class CellGrid : public WithSphereLines<CellRegion> {
   bool holds(const World& world, Slot slot) const { return world.bounding_radius(slot) <= largest_radius_; }
 
   double wanted_edge_;
+  Extent expected_;
   double largest_radius_ = std::numeric_limits<double>::infinity();
   double farthest_of_guests_ = 0;
   double largest_built_ = 0;  // the largest radius in the grid when it was built

@@ -21,9 +21,11 @@ bool LargeSphereGrid::supports(const World& world, double edge) {
 }
 
 void LargeSphereGrid::build(const World& world, const Time& now, CompactPaths& copies) {
-  const auto sizes = LargeSizes::in_part(world, Subdivision(world.box(), wanted_edge_));
+  const auto sizes = LargeSizes::in_part(world, Subdivision(world.box(), settings_.length));
   HARDBALL_CHECK(sizes.has_value());
-  grid_ = CellGrid(wanted_edge_, sizes->largest_in_grid, sizes->farthest);
+  // Large spheres touch cells around those in which centers are expected.
+  const Extent touched = settings_.expected.grown(world.largest_bounding_radius() + sizes->skin);
+  grid_ = CellGrid(settings_.within(touched), sizes->largest_in_grid, sizes->farthest);
   grid_.build(world, now, copies);
   HARDBALL_CHECK(grid_.uses_minimum_image());
   sizes_ = *sizes;

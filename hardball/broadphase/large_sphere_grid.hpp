@@ -34,7 +34,7 @@ class LargeSphereGrid {
 
   /// The length is the wanted edge of a cell; see Subdivision. Precondition: supports(world, edge), where the
   /// world is all that is built, or has it as a part.
-  explicit LargeSphereGrid(const PhaseSettings& settings) : wanted_edge_(settings.length), grid_(settings) {}
+  explicit LargeSphereGrid(const PhaseSettings& settings) : settings_(settings), grid_(settings) {}
 
   /// Whether some spheres are too large for such cells; see LargeSizes. Cost: O(n). Error: the edge is not
   /// positive and finite.
@@ -137,7 +137,7 @@ class LargeSphereGrid {
     for_each_cell(large, [&](const CellIndex& cell) { grid_.erase_guest(cell, large.slot); });
   }
 
-  double wanted_edge_;
+  PhaseSettings settings_;
   CellGrid grid_;
   LargeSizes sizes_;
   double skin_ = 0;

@@ -55,6 +55,10 @@ double farthest_neighbors(double largest_radius, double skin, double slide) {
 // Rows slide by no more than this multiple of the skin before lists expire.
 constexpr double kMostSlide = 1.5;
 
+double largest_edge(const Subdivision& cells) {
+  return std::max({cells.edge(0), cells.edge(1), cells.edge(2)});
+}
+
 // Whether lists can be made for spheres of up to this radius.
 bool fits(const Box& box, double largest_radius) {
   const double skin = kLeastListSkin * largest_radius;
@@ -111,7 +115,8 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   reach_ = static_cast<float>((2 * skin_ + margin) / copies.length_unit());
   reach_of_slide_ = static_cast<float>(slide / 2 / copies.length_unit());
   room_squared_ = static_cast<float>(room_ * room_ / (copies.length_unit() * copies.length_unit()));
-  table_ = CellTable(cells_.shape(), world.size());
+  const Extent expected = sliding_.are_present() ? Extent() : expected_.grown(largest_edge(cells_));
+  table_ = CellTable(cells_, world.size(), cells_.spans_of(expected));
   points_.reset(table_.size());
   choose_packing(copies);
   reset(lines_, world);
@@ -363,15 +368,21 @@ void NeighborList::find_near(Slot slot, const Time& now, const CompactPaths& cop
     query.room = near_.count;
     kernels_->pick_near(query, near_.begin());
   }
-  if (table_.is_shared()) [[unlikely]]
-    leave_out_far(slot, copies);
+  if (table_.is_shared()) [[unlikely]] {
+    if (table_.is_shared_within(1, lines_[slot].region.cell)) leave_out_far(slot, copies);
+  }
 }
 
-// Leaves out what was found in cells elsewhere that share a list with one of those around.
+// Leaves out what was found in cells elsewhere that share a list with one of those around. Of two spheres, if
+// the cell of one shares its list, both go by the positions of their anchors, which are not packed.
 void NeighborList::leave_out_far(Slot slot, const CompactPaths& copies) {
   Slot* const begin = near_.begin();
   Slot* end = begin + near_.count;
-  end = std::remove_if(begin, end, [&](Slot other) { return !are_near(slot, other, copies); });
+  const auto shares_list = [&](Slot each) { return table_.is_shared_within(0, lines_[each].region.cell); };
+  const bool is_own_shared = shares_list(slot);
+  end = std::remove_if(begin, end, [&](Slot other) {
+    return (is_own_shared || shares_list(other)) && !are_near(slot, other, copies);
+  });
   std::sort(begin, end);
   near_.count = static_cast<std::size_t>(std::unique(begin, end) - begin);
 }
@@ -433,12 +444,16 @@ std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& a
                                   std::int32_t last) {
     Rows rows;
     const std::int32_t own = in_cell(seen, axis);
-    for (std::int32_t step = first; step <= last; ++step) {
-      const std::int32_t row = seen.cell[axis] + step;
-      if (row < cells_.first(axis) || row > cells_.last(axis)) [[unlikely]]
-        continue;
+    const bool is_run = table_.is_run(axis, seen.cell[axis] + first, seen.cell[axis] + last);
+    std::uint32_t sum = is_run ? table_.part(axis, seen.cell[axis] + first) : 0;
+    for (std::int32_t step = first; step <= last; ++step, sum += table_.stride(axis)) {
+      if (!is_run) [[unlikely]] {
+        const std::int32_t row = seen.cell[axis] + step;
+        if (row < cells_.first(axis) || row > cells_.last(axis)) continue;
+        sum = table_.part(axis, row);
+      }
       Four part{};
-      part[0] = table_.part(axis, cells_.folded(axis, row));
+      part[0] = sum;
       part[axis + 1] = static_cast<std::uint32_t>(step * packing_[axis].units_of_cell - own);
       rows.parts[rows.count++] = part;
     }

@@ -35,9 +35,12 @@ namespace hardball {
 class NeighborList : public WithSphereLines<Anchor> {
  public:
   /// The length is the skin, the wanted radius of the ball in which a sphere's center moves; small boxes
-  /// reduce it. Precondition: supports(world). Error: the instruction set is not available.
+  /// reduce it. In a sheared box spheres are expected everywhere. Precondition: supports(world). Error: the
+  /// instruction set is not available.
   explicit NeighborList(const PhaseSettings& settings)
-      : wanted_skin_(settings.length), kernels_(&kernels_of(settings.instructions)) {}
+      : wanted_skin_(settings.length),
+        expected_(settings.expected),
+        kernels_(&kernels_of(settings.instructions)) {}
 
   /// Whether neighbors can be listed, with any skin: a periodic box must be so large that of a neighbor only
   /// one image is near.
@@ -171,6 +174,7 @@ class NeighborList : public WithSphereLines<Anchor> {
   };
 
   double wanted_skin_;
+  Extent expected_;
   const Kernels* kernels_;
   double skin_ = 0;
   double largest_built_ = 0;  // the largest radius when lists were made

@@ -89,11 +89,10 @@ struct ShearedBlock {
 
   /// Calls visit(list) for a set of cells.
   template <class Visit>
-  void for_each_list(std::uint32_t set, const Subdivision& division, const CellTable& table,
-                     Visit&& visit) const {
-    std::array<CellBlock::Parts, kDirections> parts;
+  void for_each_list(std::uint32_t set, const CellTable& table, Visit&& visit) const {
+    std::array<CellTable::Pair, kDirections> parts;
     for (std::size_t direction = 0; direction < kDirections; ++direction)
-      parts[direction] = CellBlock::parts_of(division, table, kAxis[direction], low[direction]);
+      parts[direction] = table.parts_from(kAxis[direction], low[direction]);
     CellBlock::for_each_cell(set, [&](std::uint32_t cell) {
       const std::uint32_t row = cell >> 1 & 1;
       visit(table.list_at(parts[row][cell >> 2] + parts[kAcrossRows][row] + parts[kDepth][cell & 1]));

@@ -71,7 +71,7 @@ void ShearedCells::build(const World& world, const Time& now, CompactPaths& copi
   cells_ = Subdivision(world.box(), *edge);
   rows_ = SlidingRows(world.box(), cells_.period(1), now);
   largest_built_ = largest_radius(world);
-  table_ = CellTable(cells_.shape(), world.size());
+  table_ = CellTable(cells_, world.size());
   lists_.reset(table_.size());
   blocks_ = true;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -364,7 +364,7 @@ void ShearedCells::keep(Slot slot, std::uint32_t cells) {
   ShearedBlock& block = lines_[slot].region;
   const std::uint32_t left = block.cells & ~cells;
   if (left == 0) return;
-  block.for_each_list(left, cells_, table_, [&](std::uint32_t list) { lists_.erase(list, slot); });
+  block.for_each_list(left, table_, [&](std::uint32_t list) { lists_.erase(list, slot); });
   block.cells = static_cast<std::uint8_t>(cells);
   left_count_ += static_cast<std::uint64_t>(std::popcount(left));
 }
@@ -456,7 +456,7 @@ void ShearedCells::enter_cells(Slot slot, std::uint32_t cells, Candidates& candi
     CellBlock::for_each_cell(
         cells, [&](std::uint32_t cell) { collect_cell(cells_.folded(block.index(cell)), candidates); });
   }
-  block.for_each_list(cells, cells_, table_, [&](std::uint32_t list) {
+  block.for_each_list(cells, table_, [&](std::uint32_t list) {
     if (!table_.is_shared()) collect_list(list, candidates);
     lists_.insert(list, slot);
   });

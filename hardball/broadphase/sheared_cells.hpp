@@ -90,7 +90,7 @@ class ShearedCells : public WithSphereLines<ShearedBlock> {
   // Calls visit(list) for the list of each cell that a sphere is in.
   template <class Visit>
   void for_each_list(Slot slot, Visit&& visit) const {
-    if (blocks_) return lines_[slot].region.for_each_list(lines_[slot].region.cells, cells_, table_, visit);
+    if (blocks_) return lines_[slot].region.for_each_list(lines_[slot].region.cells, table_, visit);
     for_each_cell_of(regions_[slot],
                      [&](const CellIndex&, const CellIndex& folded) { visit(table_.list(folded)); });
   }

@@ -73,6 +73,32 @@ std::int32_t Subdivision::index_of(const Axis& cells, double coordinate) {
   return round_down(index);
 }
 
+CellSpans Subdivision::spans_of(const Extent& extent) const {
+  CellSpans spans;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double margin = axes_[axis].margin;
+    spans[axis] = span_of(axes_[axis], extent.low[axis] - margin, extent.high[axis] + margin);
+  }
+  return spans;
+}
+
+CellSpan Subdivision::span_of(const Axis& cells, double low, double high) {
+  const CellSpan all{0, cells.count};
+  if (cells.count <= 1) return all;
+  double first = std::floor(low * cells.inverse_edge);
+  double last = std::floor(high * cells.inverse_edge);
+  if (cells.period == 0) {
+    first = std::max<double>(first, cells.first);
+    last = std::min<double>(last, cells.last);
+  }
+  const double count = last - first + 1;
+  if (!(count < cells.count)) return all;
+  if (!(count > 0)) return {0, 1};  // it meets none: any will do
+  // By whole boxes, so that the middle is inside: most spheres are stored with these indices.
+  if (cells.period > 0) first -= cells.count * std::floor((first + last + 1) / 2 / cells.count);
+  return {static_cast<std::int32_t>(first), static_cast<std::int32_t>(count)};
+}
+
 CellRange Subdivision::range_at(const Vec3& position, double radius) const {
   CellRange range;
   for (std::size_t axis = 0; axis < kAxes; ++axis)

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hardball/events/event.hpp"
+#include "hardball/geometry/extent.hpp"
 #include "hardball/geometry/path.hpp"
 #include "hardball/world/box.hpp"
 
@@ -49,6 +50,14 @@ struct CellRange {
   }
 };
 
+/// Cells along an axis: so many, from the first on. In a periodic box they may begin before the first one of
+/// the box, or pass the last one; their middle is inside.
+struct CellSpan {
+  std::int32_t first = 0;
+  std::int32_t count = 0;
+};
+using CellSpans = std::array<CellSpan, kAxes>;
+
 /// When a sphere's surface crosses a face of a cell, and which.
 struct CellCrossing {
   double wait =
@@ -84,6 +93,8 @@ class Subdivision {
 
   /// The number of cells of the box along each axis, zero where it is open.
   CellIndex shape() const { return {axes_[0].count, axes_[1].count, axes_[2].count}; }
+  /// The cells of the box that an extent meets, at least one; zero along an axis where the box is open.
+  CellSpans spans_of(const Extent& extent) const;
 
   /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many
   /// times.
@@ -177,6 +188,7 @@ class Subdivision {
     std::int32_t count = 0;  // of the cells of the box; zero if it is open
   };
 
+  static CellSpan span_of(const Axis& cells, double low, double high);
   static std::int32_t index_of(const Axis& cells, double coordinate);
   static std::int32_t folded_from_beyond(const Axis& cells, std::int32_t index);
 

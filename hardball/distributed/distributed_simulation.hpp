@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hardball/engine/run.hpp"
+#include "hardball/geometry/extent.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/parallel/traveler.hpp"
 #include "hardball/processes/processes.hpp"
@@ -22,12 +23,6 @@
 #include "hardball/world/world.hpp"
 
 namespace hardball {
-
-/// A part of space with edges along the axes.
-struct Extent {
-  Vec3 low;   ///< [L]
-  Vec3 high;  ///< [L]
-};
 
 /// One simulation that several processes run together, each with the spheres in a part of the box: to the
 /// same contacts as Simulation.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "hardball/geometry/extent.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/world/box.hpp"
 
@@ -41,6 +42,17 @@ class Block {
   double period(std::size_t axis) const { return period_[axis]; }
   /// Whether the block is only a part of the box along an axis.
   bool is_divided(std::size_t axis) const { return is_divided_[axis]; }
+
+  /// The block and what is so near it [L], all of the box along axes that are not divided.
+  Extent surroundings(double depth) const {
+    Extent extent;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!is_divided_[axis]) continue;
+      extent.low[axis] = low_[axis] - depth;
+      extent.high[axis] = high_[axis] + depth;
+    }
+    return extent;
+  }
 
   /// How far a point is outside [L], by the axis along which it is farthest; negative inside, minus infinity
   /// if no axis is divided. Precondition: it is less than a box away from the box.

@@ -43,11 +43,10 @@ class Cluster {
 
   /// Takes over domains that together, with those that `exchange` reaches, hold a world as it is at `now`.
   Cluster(std::vector<std::unique_ptr<Member>> domains, const Time& now, const WindowSettings& settings,
-          const PhaseSettings& phase, ForEach for_each, Exchange exchange = Exchange())
+          ForEach for_each, Exchange exchange = Exchange())
       : domains_(std::move(domains)),
         exchange_(std::move(exchange)),
         settings_(settings),
-        phase_(phase),
         for_each_(std::move(for_each)),
         committed_(now.high),
         window_(settings.first) {
@@ -56,7 +55,6 @@ class Cluster {
   /// A copy that works in its own way. Precondition: all domains are in this process.
   Cluster(const Cluster& other, ForEach for_each)
       : settings_(other.settings_),
-        phase_(other.phase_),
         for_each_(std::move(for_each)),
         committed_(other.committed_),
         is_complete_(other.is_complete_),
@@ -277,7 +275,7 @@ class Cluster {
     if (open_.has_passing) share_last_passage();
     each([&](Member& domain, std::size_t k) {
       domain.receive(exchange_.inboxes(k));
-      domain.make_ready(phase_);
+      domain.make_ready();
     });
     committed_ = open_.end.high;
     is_complete_ = !open_.is_step;
@@ -303,7 +301,7 @@ class Cluster {
   void undo() {
     each([&](Member& domain, std::size_t) {
       domain.undo();
-      domain.make_ready(phase_);
+      domain.make_ready();
     });
   }
 
@@ -404,7 +402,6 @@ class Cluster {
   std::vector<std::exception_ptr> failures_;
   std::vector<Event> peeked_;
   WindowSettings settings_;
-  PhaseSettings phase_;
   ForEach for_each_;
   double committed_;
   bool is_complete_ = false;

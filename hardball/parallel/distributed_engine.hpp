@@ -148,14 +148,14 @@ class DistributedEngine {
       owners.push_back(partition_.domain_at(world.position(slot, now)));
     std::vector<std::unique_ptr<Member>> members(domains.each);
     for_each()(members.size(), [&](std::size_t k) {
-      const auto make = [&](World part) {
-        return DomainEngine(std::move(part), Phase(phase_), now, phase_.instructions);
+      const auto make = [&](World part, const PhaseSettings& phase) {
+        return DomainEngine(std::move(part), Phase(phase), now, phase.instructions);
       };
       const auto number = static_cast<DomainNumber>(processes_.rank() * domains.each + k);
-      members[k] = std::make_unique<Member>(world, owners, now, partition_, number, halo_, make);
+      members[k] = std::make_unique<Member>(world, owners, now, partition_, number, halo_, phase_, make);
       members[k]->take_over(aftermath);
     });
-    cluster_ = std::make_unique<Domains>(std::move(members), now, size.windows(division_), phase_, for_each(),
+    cluster_ = std::make_unique<Domains>(std::move(members), now, size.windows(division_), for_each(),
                                          Exchange(processes_, domains));
   }
 

@@ -45,14 +45,16 @@ template <class Engine, class Sums>
 class Domain {
  public:
   /// The domain of a world whose spheres have these owners at `now`. `make_engine` makes an engine of a
-  /// world.
+  /// world, with a broad phase of these settings. Spheres are expected in the block and its halo.
   template <class MakeEngine>
   Domain(const World& whole, std::span<const DomainNumber> owners, const Time& now,
-         const Partition& partition, DomainNumber number, const Halo& halo, MakeEngine&& make_engine)
+         const Partition& partition, DomainNumber number, const Halo& halo, const PhaseSettings& phase,
+         MakeEngine&& make_engine)
       : number_(number),
         frontier_(partition, number, halo, whole.motion()),
+        phase_(phase.within(frontier_.block().surroundings(halo.outer()))),
         outboxes_(frontier_.neighbors().size()),
-        engine_(make_engine(residents_of(whole, owners, now))) {}
+        engine_(make_engine(residents_of(whole, owners, now), phase_)) {}
 
   DomainNumber number() const { return number_; }
   /// Of the window, or of the next.
@@ -191,8 +193,8 @@ class Domain {
   void receive(std::span<const Outbox* const> inboxes);
 
   /// Rebuilds the engine where spheres do not fit it. Precondition: no window is under way.
-  void make_ready(const PhaseSettings& settings) {
-    if (engine_.is_outdated()) engine_.rebuild(begin_, settings);
+  void make_ready() {
+    if (engine_.is_outdated()) engine_.rebuild(begin_, phase_);
   }
 
   /// Changes the velocities of spheres that it holds, at `moment`. Precondition: no window is under way; all
@@ -467,6 +469,7 @@ class Domain {
 
   DomainNumber number_;
   Frontier frontier_;
+  PhaseSettings phase_;
   Residents residents_;
   std::vector<Outbox> outboxes_;  // by neighbor
   Time begin_;                    // of the window

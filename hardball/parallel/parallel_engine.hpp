@@ -176,7 +176,7 @@ class ParallelEngine {
     const DomainNumber owner = partition_.domain_at(state.path.position);
     cluster_->each([&](auto& domain, std::size_t) {
       domain.add(state, owner, moment);
-      domain.make_ready(phase_);
+      domain.make_ready();
     });
     return id;
   }
@@ -281,15 +281,14 @@ class ParallelEngine {
     owners.reserve(centers.size());
     for (const Vec3& center : centers) owners.push_back(partition_.domain_at(center));
     std::vector<std::unique_ptr<typename Domains::Member>> domains(partition_.size());
-    const auto make = [&](World world) {
-      return DomainEngine(std::move(world), Phase(phase_), now, phase_.instructions);
+    const auto make = [&](World world, const PhaseSettings& phase) {
+      return DomainEngine(std::move(world), Phase(phase), now, phase.instructions);
     };
     for_each()(partition_.size(), [&](std::size_t number) {
       domains[number] = std::make_unique<typename Domains::Member>(
-          world_, owners, now, partition_, static_cast<DomainNumber>(number), halo_, make);
+          world_, owners, now, partition_, static_cast<DomainNumber>(number), halo_, phase_, make);
     });
-    cluster_ =
-        std::make_unique<Domains>(std::move(domains), now, size.windows(settings_), phase_, for_each());
+    cluster_ = std::make_unique<Domains>(std::move(domains), now, size.windows(settings_), for_each());
     take_over(aftermath_);
     is_outdated_ = false;
     gathering_->is_done = true;

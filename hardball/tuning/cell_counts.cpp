@@ -90,7 +90,7 @@ double shared_cells_in_row(const CellAxes& axes, double diameter, const Separati
 // that the variance of their number in a list is about a fifth of its mean, except in long and narrow boxes.
 double found_elsewhere(const GasStatistics& statistics, double edge, double cells) {
   const Subdivision subdivision(statistics.box, edge);
-  const CellTable table(subdivision.shape(), statistics.spheres);
+  const CellTable table(subdivision, statistics.spheres);
   if (!table.is_shared()) return 0;
   const auto lists = static_cast<double>(table.size());
   double cells_of_box = 1;

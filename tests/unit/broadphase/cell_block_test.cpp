@@ -17,24 +17,33 @@ bool is_upper_along(std::size_t axis, std::uint32_t cell) {
 }
 
 TEST(CellBlock, ListsAreThoseOfTheTableAlsoAcrossAPeriodicBox) {
-  constexpr std::int32_t kMax = 1 << 20;
-  const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {3, 4, 5}), 1, kMax);
-  for (const CellTable& table : {CellTable(cells.shape(), 60), CellTable({0, 0, 0}, 60)}) {
-    for (const CellIndex& low : {CellIndex{0, 0, 0}, {2, 2, 4}, {-1, 1, -6}, {7, 0, 14}}) {
-      const CellBlock block(cells, low, table);
+  const auto check = [](const Vec3& size, const CellSpans& expected, bool is_shared) {
+    const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, size), 1, 1 << 20);
+    const CellTable table(cells, 60, expected);
+    EXPECT_EQ(table.is_shared(), is_shared);
+    const CellIndex shape = cells.shape();
+    for (const CellIndex& low : {CellIndex{0, 0, 0},
+                                 {shape[0] - 1, shape[1] - 2, shape[2] - 1},
+                                 {-1, 1, -6},
+                                 {2 * shape[0] + 1, 0, 3 * shape[2] - 1}}) {
+      const CellBlock block(table, low);
       for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {
         CellIndex place = low;
         for (std::size_t axis = 0; axis < kAxes; ++axis) place[axis] += is_upper_along(axis, cell) ? 1 : 0;
         EXPECT_EQ(block.list(cell), table.list(cells.folded(place)));
       }
     }
-  }
+  };
+  check({3, 4, 5}, {CellSpan{0, 3}, {0, 4}, {0, 5}}, false);
+  check({3, 4, 5}, {CellSpan{0, 3}, {1, 1}, {4, 2}}, true);
+  check({300, 400, 500}, {CellSpan{0, 300}, {0, 400}, {0, 500}}, true);
+  check({300, 400, 500}, {CellSpan{295, 10}, {0, 10}, {495, 10}}, true);
 }
 
 TEST(CellBlock, VisitsTheListsOfASetOfCells) {
   const Subdivision cells(Box::periodic({5, 5, 5}), 1, 1 << 20);
-  const CellTable table(cells.shape(), 60);
-  const CellBlock block(cells, {4, 1, 2}, table);
+  const CellTable table(cells, 60);
+  const CellBlock block(table, {4, 1, 2});
   for (std::uint32_t set = 0; set < 1U << CellBlock::kCells; ++set) {
     std::vector<std::uint32_t> expected;
     for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
@@ -107,6 +108,32 @@ TEST(Subdivision, RangeCoversTheSphereAndNotMuchMore) {
       ASSERT_LT(range.high[axis] * e, place[axis] + reach);
     }
   }
+}
+
+TEST(Subdivision, KnowsWhichCellsAnExtentMeets) {
+  const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::open}, {10, 10, 0}), 1, kMax);
+  const auto span_along = [&](std::size_t axis, double low, double high) {
+    Extent extent;
+    extent.low[axis] = low;
+    extent.high[axis] = high;
+    const CellSpan span = cells.spans_of(extent)[axis];
+    return std::pair(span.first, span.count);
+  };
+  const std::pair<std::int32_t, std::int32_t> all{0, 10};
+  EXPECT_EQ(span_along(0, 2.5, 4.5), std::pair(2, 3));
+  EXPECT_EQ(span_along(0, 2, 4), std::pair(1, 4)) << "cells admit spheres early";
+  EXPECT_EQ(span_along(0, -1.5, 1.5), std::pair(-2, 4));
+  EXPECT_EQ(span_along(0, 18.5, 21.5), std::pair(-2, 4));
+  EXPECT_EQ(span_along(0, -31.5, -28.5), std::pair(-2, 4));
+  EXPECT_EQ(span_along(0, 8.5, 12.5), std::pair(-2, 5));
+  EXPECT_EQ(span_along(0, 7.5, 10.5), std::pair(7, 4));
+  EXPECT_EQ(span_along(0, 0.5, 10.5), all) << "each cell once";
+  EXPECT_EQ(span_along(0, -Extent::kInfinity, 3), all);
+  EXPECT_EQ(span_along(1, -1.5, 1.5), std::pair(0, 2));
+  EXPECT_EQ(span_along(1, 8.5, Extent::kInfinity), std::pair(8, 2));
+  EXPECT_EQ(span_along(1, -Extent::kInfinity, Extent::kInfinity), all);
+  EXPECT_EQ(span_along(1, 20, 30).second, 1) << "at least one";
+  EXPECT_EQ(span_along(2, -3, 3).second, 0);
 }
 
 TEST(Subdivision, SpheresBeyondTheOutermostCellsOfOpenSpaceBelongToThese) {
