@@ -14,7 +14,7 @@ namespace {
 // With more cells per sphere than this, a list for each would take more memory than the spheres.
 constexpr double kMaxPerSphere = 2;
 constexpr std::size_t kAlways = 4096;
-// Fewer lists must be worth that some cells share one.
+// Cells elsewhere share lists only if that leaves no more than this fraction of them.
 constexpr double kMostOfAll = 0.8;
 
 CellSpans all_of(const Subdivision& cells) {

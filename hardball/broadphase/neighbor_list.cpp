@@ -368,9 +368,8 @@ void NeighborList::find_near(Slot slot, const Time& now, const CompactPaths& cop
     query.room = near_.count;
     kernels_->pick_near(query, near_.begin());
   }
-  if (table_.is_shared()) [[unlikely]] {
-    if (table_.is_shared_within(1, lines_[slot].region.cell)) leave_out_far(slot, copies);
-  }
+  if (table_.is_shared_within(1, lines_[slot].region.cell)) [[unlikely]]
+    leave_out_far(slot, copies);
 }
 
 // Leaves out what was found in cells elsewhere that share a list with one of those around. Of two spheres, if

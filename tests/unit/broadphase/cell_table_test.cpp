@@ -50,10 +50,8 @@ TEST(CellTable, HasNoMoreListsThanSpheresAndAFew) {
   }
 }
 
-// Of spheres that are expected in a part of the box, also across its face.
-TEST(CellTable, GivesListsWhereSpheresAreExpected) {
+void check_lists_where_spheres_are_expected(const CellSpans& spans) {
   constexpr CellIndex kShape{40, 50, 60};
-  const CellSpans spans{CellSpan{35, 12}, {10, 30}, {0, 60}};
   const CellTable table(cells_of(kShape), 30000, spans);
   EXPECT_TRUE(table.is_shared());
   EXPECT_EQ(table.size(), 13U * 31 * 60);
@@ -85,6 +83,13 @@ TEST(CellTable, GivesListsWhereSpheresAreExpected) {
       EXPECT_EQ(table.is_shared_within(rows, cell), !is_alone);
     }
   });
+}
+
+// Also across the face of the box, whether the cells are counted from before it or pass it.
+TEST(CellTable, GivesListsWhereSpheresAreExpected) {
+  check_lists_where_spheres_are_expected({CellSpan{5, 12}, {10, 30}, {0, 60}});
+  check_lists_where_spheres_are_expected({CellSpan{35, 12}, {10, 30}, {0, 60}});
+  check_lists_where_spheres_are_expected({CellSpan{-5, 12}, {10, 30}, {0, 60}});
 }
 
 TEST(CellTable, GivesAllCellsListsIfThatIsNotMuchMore) {
