@@ -39,6 +39,17 @@ enum class RunStatus {
   outdated,          ///< Of engines: a sphere does not fit their structures, and `rebuild` must follow.
 };
 
+/// Who is told of the contacts of a run, in their order.
+struct ContactObserver {
+  /// Returns whether the run continues; empty if nobody is told.
+  Function<bool(const Contact&)> note = {};
+  /// Whether it may look at the world or at sums over contacts, stop the run, or throw. If not, it is told of
+  /// contacts when others have happened already, which costs less where there are several domains.
+  bool looks_around = true;
+
+  explicit operator bool() const { return static_cast<bool>(note); }
+};
+
 /// Calls an observer with a contact, and returns whether the run continues: an observer that returns a bool
 /// decides.
 template <class Observe>

@@ -97,13 +97,14 @@ class Cluster {
   bool is_complete() const { return is_complete_; }
 
   /// Opens a window that ends no later than `end` and has at most so many contacts, of which it returns the
-  /// number. Precondition: `end` is finite and not before committed(); `most` is not zero; no window is open.
-  /// Error: RunFailure, and what engines throw; then no window is open.
-  std::uint64_t open_window(double end, std::uint64_t most, bool keeps_log) {
+  /// number. Its contacts are kept in a log, or added up when it is committed, or both. Precondition: `end`
+  /// is finite and not before committed(); `most` is not zero; no window is open. Error: RunFailure, and what
+  /// engines throw; then no window is open.
+  std::uint64_t open_window(double end, std::uint64_t most, bool keeps_log, bool adds_up) {
     watch_if_due();
     const double begin = committed_;
     const bool may_be_cut = static_cast<double>(most) < 4 * settings_.contacts;
-    keep_logs(keeps_log || may_be_cut, !keeps_log);
+    keep_logs(keeps_log || may_be_cut, adds_up);
     // Few contacts need only a part of a window.
     const double part = std::min(1.0, static_cast<double>(most) / settings_.contacts);
     wanted_ = std::max(part * window_, least_window());
@@ -120,7 +121,7 @@ class Cluster {
       const double cut = is_wrong ? double_before(found.bad) : is_cut ? time_before(most) : until;
       undo();
       if (is_wrong) note_failure(until - begin);
-      if (!is_cut) keep_logs(true, !keeps_log);
+      if (!is_cut) keep_logs(true, adds_up);
       if (cut <= begin) {
         step(std::min(end, horizon_), true);
         return open_contacts();
@@ -141,14 +142,14 @@ class Cluster {
     steps_in_a_row_ = open_.is_step ? steps_in_a_row_ + 1 : 0;
     if (!open_.is_step) adapt(length, open_contacts());
   }
-  /// Ends the open window with the first of its contacts, so many. Precondition: it has as many, and its log
-  /// is kept.
+  /// Ends the open window with the first of its contacts, so many. Precondition: it has as many, and they are
+  /// kept in a log and not added up.
   void cut_window(std::uint64_t contacts) {
     if (open_.is_step && contacts == open_contacts()) return commit_window();
     const double end = open_.end.high;
     undo();
     while (contacts > 0) {
-      contacts -= open_window(end, contacts, true);
+      contacts -= open_window(end, contacts, true, false);
       commit_window();
     }
   }

@@ -272,8 +272,8 @@ class DistributedEngine {
       const bool has_end = std::isfinite(limits.until.high);
       if (!has_end && !has_events()) return RunStatus::time_reached;
       const double end = has_end ? limits.until.high : kLastMoment;
-      contacts -= cluster_->open_window(end, contacts, is_observed);
-      if (is_observed) deliver(sums, observe);
+      contacts -= cluster_->open_window(end, contacts, is_observed, true);
+      if (is_observed) deliver(observe);
       cluster_->commit_window();
       if (cluster_->committed() == end && cluster_->is_complete()) return RunStatus::time_reached;
       review_division(sums);
@@ -281,14 +281,11 @@ class DistributedEngine {
     return RunStatus::contacts_reached;
   }
 
-  // Adds the contacts of the open window, and tells the first process of them.
-  void deliver(Sums& sums, const Observe& observe) {
+  // Tells the first process of the contacts of the open window.
+  void deliver(const Observe& observe) {
     std::string own;
     for (std::size_t k = 0; k < cluster_->size(); ++k) {
       const std::span<const LoggedContact> log = cluster_->domain(k).log();
-      for (const LoggedContact& logged : log) {
-        if (logged.counts) sums.note(logged.contact);
-      }
       const std::uint64_t count = log.size();
       own.append(reinterpret_cast<const char*>(&count), sizeof(count));
       own.append(reinterpret_cast<const char*>(log.data()), log.size_bytes());

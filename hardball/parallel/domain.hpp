@@ -78,8 +78,7 @@ class Domain {
   /// What it tells a neighbor, by the number of the domain.
   const Outbox& outbox_to(DomainNumber neighbor) const { return outboxes_[neighbor_number(neighbor)]; }
 
-  /// Of the contacts that count, in the windows committed since `clear_sums`; none while logs are kept
-  /// instead.
+  /// Of the contacts that count, in the windows committed since `clear_sums`, if they are added up.
   const Sums& sums() const { return sums_; }
   /// Begins to add up with empty sums.
   void clear_sums(const Sums& empty) {

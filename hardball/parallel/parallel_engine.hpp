@@ -35,8 +35,6 @@ namespace hardball {
 template <EventQueue Queue, BroadPhase Phase, class Sums>
 class ParallelEngine {
  public:
-  using Observe = Function<bool(const Contact&)>;
-
   /// Takes over a world as it is at `now`. Precondition: as for Engine; spheres do not merge, and the
   /// response is no function, which might not bear being called by several threads at once.
   ParallelEngine(World world, const PhaseSettings& phase, const Division& settings, const Time& now)
@@ -120,15 +118,16 @@ class ParallelEngine {
     return bytes;
   }
 
-  /// As Engine::run, and adds the contacts to `sums`. Without an observer contacts are added in any order.
-  /// The number of steps limits only the start of windows: a window is taken whole.
-  RunStatus run(const RunLimits& limits, Sums& sums, const Observe& observe) {
+  /// As Engine::run, and adds the contacts to `sums`: before the observer is told if it looks around,
+  /// otherwise at the end of the run. The number of steps limits only the start of windows: a window is taken
+  /// whole.
+  RunStatus run(const RunLimits& limits, Sums& sums, const ContactObserver& observer) {
     const ThreadTeam::Pinned pinned(*team_);
     keep_for_rewind();
-    if (observe) return run_windows(limits, sums, observe);
+    if (observer && observer.looks_around) return run_windows(limits, sums, observer);
     clear_sums(sums);
     try {
-      const RunStatus status = run_windows(limits, sums, observe);
+      const RunStatus status = run_windows(limits, sums, observer);
       collect(sums);
       return status;
     } catch (...) {
@@ -321,13 +320,22 @@ class ParallelEngine {
     const std::scoped_lock lock(gathering_->mutex);
     if (gathering_->is_done) return;
     const Time now = cluster_->now();
-    for (std::size_t k = 0; k < cluster_->size(); ++k) {
-      auto& domain = cluster_->domain(k);
+    bool have_spun = false;
+    const auto bring = [&](auto& domain, std::size_t) {
+      // Spheres that follow one another there mostly do here, too.
+      Slot next = 0;
       domain.take_changed([&](Slot from) {
-        const SphereState state = domain.world().state_of(from);
-        const Slot slot = world_.slot_of(state.id);
-        SphereEdit(world_, now, slot).store(slot, state);
+        const std::optional<Slot> slot = world_.find(domain.world().id(from), next);
+        HARDBALL_CHECK(slot);
+        SphereEdit(world_, now, *slot).store_motion(*slot, domain.world(), from);
+        next = *slot + 1;
       });
+    };
+    for (std::size_t k = 0; k < cluster_->size(); ++k) have_spun |= cluster_->domain(k).world().has_spins();
+    if (have_spun && !world_.has_spins()) {
+      for (std::size_t k = 0; k < cluster_->size(); ++k) bring(cluster_->domain(k), k);
+    } else {
+      cluster_->each(bring);
     }
     world_.note_passage(cluster_->domain(0).world().last_passage());
     gathering_->is_done = true;
@@ -347,7 +355,8 @@ class ParallelEngine {
     for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
   }
 
-  RunStatus run_windows(const RunLimits& limits, Sums& sums, const Observe& observe) {
+  RunStatus run_windows(const RunLimits& limits, Sums& sums, const ContactObserver& observer) {
+    const bool looks_around = observer && observer.looks_around;
     std::uint64_t contacts = limits.contacts;
     std::uint64_t steps = limits.steps;
     while (contacts > 0) {
@@ -357,14 +366,14 @@ class ParallelEngine {
       if (!has_end && is_idle()) return RunStatus::time_reached;
       const double end = has_end ? limits.until.high : kLastMoment;
       const Counters before = counters();
-      const bool continues = run_window(end, contacts, sums, observe);
+      const bool continues = run_window(end, contacts, sums, observer);
       const Counters done = counters() - before;
       contacts -= done.contacts();
       steps -= std::min(steps, done.contacts() + done.enter + done.stale + 1);
       if (!continues) return RunStatus::observer_stopped;
       if (!is_outdated_ && cluster_->committed() == end && cluster_->is_complete())
         return RunStatus::time_reached;
-      if (!is_outdated_) review_division(sums, !observe);
+      if (!is_outdated_) review_division(sums, !looks_around);
     }
     return RunStatus::contacts_reached;
   }
@@ -385,17 +394,24 @@ class ParallelEngine {
   }
 
   // Runs through one window; false if the observer has stopped the run.
-  bool run_window(double end, std::uint64_t most, Sums& sums, const Observe& observe) {
-    if (observe) gather();
-    cluster_->open_window(end, most, static_cast<bool>(observe));
-    if (observe) return deliver(sums, observe);
+  bool run_window(double end, std::uint64_t most, Sums& sums, const ContactObserver& observer) {
+    if (observer && observer.looks_around) {
+      gather();
+      cluster_->open_window(end, most, true, false);
+      return deliver(sums, observer);
+    }
+    cluster_->open_window(end, most, static_cast<bool>(observer), true);
+    if (observer) {
+      MergedLog log = cluster_->merged_log();
+      while (const Contact* contact = log.next()) observer.note(*contact);
+    }
     cluster_->commit_window();
     gathering_->is_done = false;
     return true;
   }
 
   // Tells the observer of the contacts of the open window, with the world as it is after each.
-  bool deliver(Sums& sums, const Observe& observe) {
+  bool deliver(Sums& sums, const ContactObserver& observer) {
     MergedLog log = cluster_->merged_log();
     is_open_ = true;
     taken_ = 0;
@@ -405,7 +421,7 @@ class ParallelEngine {
       sums.note(contact);
       bool continues = false;
       try {
-        continues = observe(contact);
+        continues = observer.note(contact);
       } catch (...) {
         settle();
         throw;

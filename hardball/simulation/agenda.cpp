@@ -28,7 +28,7 @@ std::uint64_t steps_of(const Counters& done) {
 }  // namespace
 
 Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sample, std::uint64_t most,
-                             ContactSums& sums, const AnyEngine::Observe& observe) {
+                             ContactSums& sums, const ContactObserver& observer) {
   const std::uint64_t slice = steps_of_slice(tuner);
   if (is_told_to_stop(slice)) return Item::nothing;
   const Time due = later(sample, begin_);
@@ -40,7 +40,7 @@ Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sampl
                           .steps = std::min(left_.steps, slice)};
   AnyEngine& engine = tuner.engine();
   const Counters before = engine.counters();
-  status_ = engine.run(stretch, sums, observe);
+  status_ = engine.run(stretch, sums, observer);
   const Counters done = engine.counters() - before;
   left_.contacts -= done.contacts();
   const bool is_slice = status_ == RunStatus::steps_reached;

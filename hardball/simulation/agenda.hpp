@@ -29,7 +29,7 @@ class Agenda {
   /// `sample`; kNever for neither; or by `most` contacts. A sample that was due before the run is taken when
   /// it begins.
   Item advance(Tuner& tuner, const Time& action, const Time& sample, std::uint64_t most, ContactSums& sums,
-               const AnyEngine::Observe& observe);
+               const ContactObserver& observer);
   /// Counts the steps of what was done after a stretch.
   void spend(std::uint64_t steps);
 

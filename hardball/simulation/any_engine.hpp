@@ -26,9 +26,6 @@ namespace hardball {
 /// The interface that all engines share; see Engine for what its members do.
 class AnyEngine {
  public:
-  /// Returns whether the run continues; see notify (run.hpp).
-  using Observe = Function<bool(const Contact&)>;
-
   virtual ~AnyEngine() = default;
   virtual std::unique_ptr<AnyEngine> clone() const = 0;
   virtual const World& world() const = 0;
@@ -46,8 +43,8 @@ class AnyEngine {
   /// Of the world as it is at `moment`. Precondition: not is_outdated(). Cost: O(n).
   virtual GasStatistics statistics(const Time& moment) const = 0;
   virtual WindowCounters windows() const = 0;
-  /// Adds all contacts to `sums`, and passes them to the observer, if there is one.
-  virtual RunStatus run(const RunLimits& limits, ContactSums& sums, const Observe& observe) = 0;
+  /// Adds all contacts to `sums`, and tells the observer, if there is one.
+  virtual RunStatus run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
   virtual void change_velocities(const Time& moment, std::span<const NewVelocity> changes) = 0;
   virtual SphereId add(const Sphere& sphere, const Time& moment) = 0;

@@ -55,13 +55,13 @@ class EngineModel final : public AnyEngine {
       return {};
     }
   }
-  RunStatus run(const RunLimits& limits, ContactSums& sums, const Observe& observe) override {
-    if constexpr (requires { engine_.run(limits, sums, observe); }) {
-      return engine_.run(limits, sums, observe);
+  RunStatus run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) override {
+    if constexpr (requires { engine_.run(limits, sums, observer); }) {
+      return engine_.run(limits, sums, observer);
     } else {
       return engine_.run(limits, [&](const Contact& contact) {
         sums.note(contact);
-        return !observe || observe(contact);
+        return !observer || observer.note(contact);
       });
     }
   }

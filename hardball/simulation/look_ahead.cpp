@@ -83,7 +83,7 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most,
       is_rescheduled_ = false;
       if (tuner_->engine().is_outdated()) tuner_->rebuild(later(now_, tuner_->engine().now()));
       const Agenda::Item item =
-          agenda.advance(*tuner_, next_action(), kNever, contacts_of_epoch(), unused, note);
+          agenda.advance(*tuner_, next_action(), kNever, contacts_of_epoch(), unused, {.note = note});
       if (item == Agenda::Item::action) {
         last_change = later(agenda.reached(), last_change);
         let_thermostat_act(last_change);

@@ -108,22 +108,30 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
   check_idle("run");
   check_not_past(limits.until);
   const Activity::During running(activity_, Activity::Kind::running);
-  const AnyEngine::Observe observe = [this, measures](const Contact& contact) {
+  const ContactObserver listening{.note = [this, measures](const Contact& contact) {
     note(contact, measures);
     return !is_rescheduled_;
-  };
+  }};
+  const ContactObserver measuring{.note =
+                                      [measures](const Contact& contact) {
+                                        measures->note(contact);
+                                        return true;
+                                      },
+                                  .looks_around = false};
   Agenda agenda(limits, now_);
   do {
     is_rescheduled_ = false;
     tuner_->engine().end_journal();
     tuner_->make_ready(now_);
     const Time sample = measures ? measures->next_sample() : kNever;
-    const bool observes =
-        measures || listener_ || next_listener_ || tuner_->engine().interactions().may_merge();
+    const bool listens = listener_ || next_listener_ || tuner_->engine().interactions().may_merge();
+    const bool is_measured = measures && measures->has_begun();
     Agenda::Item item = Agenda::Item::nothing;
     try {
       item = agenda.advance(*tuner_, next_action(), sample, contacts_of_epoch(), sums_,
-                            observes ? observe : AnyEngine::Observe());
+                            listens       ? listening
+                            : is_measured ? measuring
+                                          : ContactObserver());
     } catch (...) {
       now_ = later(now_, sums_.tally.last_change());
       throw;

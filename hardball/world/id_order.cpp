@@ -21,6 +21,7 @@ std::size_t IdOrder::rank_of(SphereId id, std::span<const SphereId> ids) const {
   // Ids differ, so that few are missing where few spheres have been removed.
   std::size_t low = size_ - std::min(size_, std::size_t{last} - id + 1);
   std::size_t high = std::min(size_, std::size_t{id} - first);
+  if (low == high) return low;
   const auto is_lower = [&](Slot slot) { return ids[slot] < id; };
   if (chunks_.empty()) {
     while (low < high) {
@@ -45,8 +46,10 @@ std::size_t IdOrder::rank_of(SphereId id, std::span<const SphereId> ids) const {
     }
   }
   const std::vector<Slot>& slots = chunks_[chunk];
-  const auto found = std::ranges::partition_point(slots, is_lower);
-  return begins_[chunk] + static_cast<std::size_t>(found - slots.begin());
+  const std::size_t begin = begins_[chunk];
+  const auto first_in = slots.begin() + static_cast<std::ptrdiff_t>(std::max(low, begin) - begin);
+  const auto last_in = slots.begin() + static_cast<std::ptrdiff_t>(std::min(high - begin, slots.size()));
+  return begin + static_cast<std::size_t>(std::partition_point(first_in, last_in, is_lower) - slots.begin());
 }
 
 void IdOrder::sort(std::span<const SphereId> ids, SphereId end) {

@@ -30,6 +30,15 @@ class SphereEdit {
     note_state(slot);
     world_.set_state(slot, state);
   }
+  /// Gives a sphere the path and the spin that it has in another world with the same box. Several threads may
+  /// do so at once for different spheres if spheres have spun here, or none has in the other world. Cost: as
+  /// of store_spin.
+  void store_motion(Slot slot, const World& other, Slot from) {
+    note_state(slot);
+    world_.paths_[slot] = other.paths_[from];
+    world_.folded_[slot] = other.folded_[from];
+    world_.set_spin(slot, other.spin(from));
+  }
   /// Stores a new angular velocity [1/T]. Cost: O(n) for the first sphere that spins.
   void store_spin(Slot slot, const Vec3& spin) {
     note_state(slot);

@@ -116,10 +116,11 @@ void World::check_spin(const Vec3& spin, const std::string& where) const {
 }
 
 void World::note_traits() {
+  if (has_traits_) return;
   const bool have_inertia_factors =
       size() > 0 && !(inertia_factors_.is_common() && inertia_factors_.common() == kSphereInertiaFactor);
-  has_traits_ |= have_inertia_factors || !spins_.empty() || !species_.empty() ||
-                 interactions_.has_passing() || kinematic_count_ > 0;
+  has_traits_ = have_inertia_factors || !spins_.empty() || !species_.empty() || interactions_.has_passing() ||
+                kinematic_count_ > 0;
 }
 
 void World::check_mass(double mass, const std::string& where) const {

@@ -4,12 +4,16 @@
 // The number of threads that work on a simulation.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/interaction/bounce.hpp"
 #include "hardball/interaction/merging.hpp"
+#include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 
@@ -80,6 +84,59 @@ TEST(Threads, AreRefusedWhereTheyCannotShareTheWork) {
   two.run_until(0.1);
   two.set_threads(1);
   two.respond_with(elastic);
+}
+
+// Domains with shallow halos, of which windows fail.
+constexpr Division kShallow{.domains = 3, .threads = 2, .halo = 1.05, .window = 0.2, .first_window = 0.2};
+
+TEST(Threads, MeasureWhatOneThreadMeasures) {
+  const ResponseTable rough(
+      Bounce(BounceRules{.restitution = ConstantRestitution{0.9}, .tangential_restitution = 0.5}));
+  for (const bool is_rough : {false, true}) {
+    World world = gas();
+    if (is_rough) world.set_interactions(rough);
+    std::vector<std::string> names{"all"};
+    if (!is_rough) names.insert(names.end(), {"diffusion", "viscosity"});
+    const MeasureSettings settings{.names = names, .every = 0.03, .from = 0.05};
+    Simulation expected(world);
+    Simulation simulation(world, {.division = kShallow});
+    Measures one(settings);
+    Measures several(settings);
+    for (int piece = 1; piece <= 4; ++piece) {
+      const RunLimits limits{.until = Time(0.1 * piece), .contacts = piece == 2 ? 100U : 100000U};
+      expected.run(limits, one);
+      simulation.run(limits, several);
+      EXPECT_EQ(several.save(), one.save()) << piece;
+      EXPECT_EQ(simulation.event_log_hash(), expected.event_log_hash());
+      EXPECT_EQ(simulation.positions(), expected.positions());
+      EXPECT_EQ(simulation.world().has_spins(), expected.world().has_spins());
+    }
+    EXPECT_EQ(expected.world().has_spins(), is_rough);
+    EXPECT_GT(simulation.windows().failed, 0U);
+  }
+}
+
+// A listener sees the world as it is at its contact, and sums over the contacts up to it, also if measures
+// are told of them, too.
+TEST(Threads, ShowListenersWhatOneThreadShows) {
+  const auto seen_by_listener = [](Simulation simulation, bool is_measured) {
+    std::vector<std::pair<std::uint64_t, Vec3>> seen;
+    simulation.on_contact([&](const Contact& contact) {
+      seen.emplace_back(simulation.event_log_hash(),
+                        simulation.world().velocity(contact.first, contact.time));
+    });
+    Measures measures({.names = {"pressure"}, .every = 0.1});
+    if (is_measured) {
+      simulation.run_until(0.3, measures);
+    } else {
+      simulation.run_until(0.3);
+    }
+    return seen;
+  };
+  const auto expected = seen_by_listener(Simulation(gas()), false);
+  EXPECT_GT(expected.size(), 100U);
+  EXPECT_EQ(seen_by_listener(Simulation(gas(), {.division = kShallow}), false), expected);
+  EXPECT_EQ(seen_by_listener(Simulation(gas(), {.division = kShallow}), true), expected);
 }
 
 // Every sphere is in one block; the blocks touch.
