@@ -177,7 +177,7 @@ class DistributedRun {
       const RunStatus status =
           simulation_.run(limits, scenario_.event_log && directory_.has_value(), [&](const Contact& contact) {
             reached_ = contact.time.value();
-            write([&] { files_->note(contact, simulation_.empty_world()); });
+            write([&] { files_->note(contact); });
           });
       collisions_ = simulation_.counters().collision;
       in_first(processes_, [&] {

@@ -212,9 +212,11 @@ void RunFiles::write_snapshot(std::size_t trajectory, const FrameParts& frame) {
   trajectories_[trajectory].second.append(frame);
 }
 
-void RunFiles::note(const Contact& contact, const World& world) {
+void RunFiles::note(const Contact& contact, const Simulation* simulation) {
   if (events_) events_->append(contact);
-  if (recording_) recording_->note(contact, world);
+  if (!recording_) return;
+  if (contact.outcome == ContactOutcome::merge) return recording_->note(contact, simulation->world());
+  recording_->note(contact);
 }
 
 void RunFiles::note(const VelocityChange& change, const World& world) {

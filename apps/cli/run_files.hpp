@@ -86,9 +86,9 @@ class RunFiles {
   void write_snapshot(const Simulation& simulation);
   /// The same for spheres that come in parts, in one of the trajectories.
   void write_snapshot(std::size_t trajectory, const FrameParts& frame);
-  /// Appends to the event log and the recording, if there are any; `world`: after the contact or change.
-  /// Error (RunFailure): they cannot be written.
-  void note(const Contact& contact, const World& world);
+  /// Appends to the event log and the recording, if there are any; `simulation`: after the contact, needed if
+  /// spheres merge in it; `world`: after the change. Error (RunFailure): they cannot be written.
+  void note(const Contact& contact, const Simulation* simulation = nullptr);
   void note(const VelocityChange& change, const World& world);
   void note(const Growth& epoch);
   /// Makes the event log and the trajectories complete for readers, at most once a second, so that little is

@@ -163,7 +163,7 @@ std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, do
 ExitCode carry_out(StartedRun& run) {
   Simulation& simulation = run.simulation;
   if (run.files && run.files->has_contacts()) {
-    simulation.on_contact([&](const Contact& contact) { run.files->note(contact, run.simulation.world()); });
+    simulation.log_contacts([&](const Contact& contact) { run.files->note(contact, &run.simulation); });
     simulation.on_velocity_change(
         [&](const VelocityChange& change) { run.files->note(change, run.simulation.world()); });
     simulation.on_epoch([&](const Growth& epoch) { run.files->note(epoch); });

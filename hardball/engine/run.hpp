@@ -43,8 +43,9 @@ enum class RunStatus {
 struct ContactObserver {
   /// Returns whether the run continues; empty if nobody is told.
   Function<bool(const Contact&)> note = {};
-  /// Whether it may look at the world or at sums over contacts, stop the run, or throw. If not, it is told of
-  /// contacts when others have happened already, which costs less where there are several domains.
+  /// Whether it may look at the world or at sums over contacts, or stop the run. If not, it is told of
+  /// contacts when others have happened already, which costs less where there are several domains, and if it
+  /// throws, the run ends after them.
   bool looks_around = true;
 
   explicit operator bool() const { return static_cast<bool>(note); }

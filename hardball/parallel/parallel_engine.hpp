@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -316,6 +317,8 @@ class ParallelEngine {
 
   // Brings the world up to date; several const queries may need it at once.
   void gather() const {
+    if (is_telling_)
+      throw Error("contacts are logged when later ones have happened", "log_contacts", "use on_contact");
     if (gathering_->is_done.load(std::memory_order_acquire) || is_open_ || is_outdated_) return;
     const std::scoped_lock lock(gathering_->mutex);
     if (gathering_->is_done) return;
@@ -401,13 +404,31 @@ class ParallelEngine {
       return deliver(sums, observer);
     }
     cluster_->open_window(end, most, static_cast<bool>(observer), true);
+    std::exception_ptr failure;
     if (observer) {
-      MergedLog log = cluster_->merged_log();
-      while (const Contact* contact = log.next()) observer.note(*contact);
+      try {
+        tell(observer);
+      } catch (...) {
+        failure = std::current_exception();
+      }
     }
     cluster_->commit_window();
     gathering_->is_done = false;
+    if (failure) std::rethrow_exception(failure);
     return true;
+  }
+
+  // Tells the observer of the contacts of the open window, without the world.
+  void tell(const ContactObserver& observer) {
+    is_telling_ = true;
+    try {
+      MergedLog log = cluster_->merged_log();
+      while (const Contact* contact = log.next()) observer.note(*contact);
+    } catch (...) {
+      is_telling_ = false;
+      throw;
+    }
+    is_telling_ = false;
   }
 
   // Tells the observer of the contacts of the open window, with the world as it is after each.
@@ -478,6 +499,7 @@ class ParallelEngine {
   Aftermath aftermath_;  // while outdated
   std::unique_ptr<Gathering> gathering_ = std::make_unique<Gathering>();
   bool is_outdated_ = false;
+  bool is_telling_ = false;
   bool looks_ahead_ = false;
   std::optional<LookAhead> before_look_ahead_;
   // Of the open window, while its contacts are delivered:

@@ -193,7 +193,26 @@ RecordingWriter::~RecordingWriter() {
   }
 }
 
+void RecordingWriter::note(const Contact& contact) {
+  HARDBALL_CHECK(contact.outcome != ContactOutcome::merge);
+  add(recorded(contact));
+}
+
 void RecordingWriter::note(const Contact& contact, const World& world) {
+  if (contact.outcome != ContactOutcome::merge) return note(contact);
+  HARDBALL_CHECK(state_.layout.has_bodies);
+  const Slot merged = world.slot_of(contact.first);
+  RecordedContact merger = recorded(contact);
+  merger.first_spin = world.spin(merged);
+  merger.first_position = world.path(merged).position;
+  merger.second_velocity = {};
+  merger.second_spin = {};
+  merger.merged = {world.base_radius(merged), world.mass(merged), world.inertia_factor(merged)};
+  add(merger);
+}
+
+// What a contact tells by itself.
+RecordedContact RecordingWriter::recorded(const Contact& contact) const {
   constexpr std::uint32_t kMaxIds = std::numeric_limits<std::int32_t>::max();
   HARDBALL_CHECK(contact.first < state_.keyframe.size() && contact.first <= kMaxIds &&
                  contact.second <= kMaxIds);
@@ -208,20 +227,11 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
                            contact.is_collision() ? contact.after.second : Vec3{}};
   // Of the sphere itself, not of the image that was met.
   if (contact.image_speed != 0) recorded.second_velocity.x -= contact.image_speed;
-  if (state_.layout.has_bodies) {
-    const Slot first = world.slot_of(contact.first);
-    recorded.outcome = contact.outcome;
-    recorded.first_spin = world.spin(first);
-    if (contact.outcome == ContactOutcome::merge) {
-      recorded.first_position = world.path(first).position;
-      recorded.second_velocity = {};
-      recorded.merged = {world.base_radius(first), world.mass(first), world.inertia_factor(first)};
-    } else if (contact.is_collision()) {
-      recorded.second_spin = world.spin(world.slot_of(contact.second));
-    }
-  }
-  HARDBALL_CHECK(state_.layout.has_bodies || contact.outcome != ContactOutcome::merge);
-  add(recorded);
+  if (!state_.layout.has_bodies) return recorded;
+  recorded.outcome = contact.outcome;
+  recorded.first_spin = contact.spins_after.first;
+  if (contact.is_collision()) recorded.second_spin = contact.spins_after.second;
+  return recorded;
 }
 
 void RecordingWriter::note(const VelocityChange& change, const World& world) {

@@ -47,6 +47,8 @@ class HARDBALL_EXPORT RecordingWriter {
   /// sphere is added or removed but by a merger, which needs bodies. Error (RunFailure): the file cannot be
   /// written.
   void note(const Contact& contact, const World& world);
+  /// The same of a contact in which no spheres merge.
+  void note(const Contact& contact);
   void note(const VelocityChange& change, const World& world);
   /// An epoch of growth has begun. Precondition: likewise; the header says that spheres may grow.
   void note(const Growth& epoch);
@@ -98,6 +100,7 @@ class HARDBALL_EXPORT RecordingWriter {
 
   RecordingWriter(std::filesystem::path path, State state);
   static State restored(std::string_view saved, const std::string& where);
+  RecordedContact recorded(const Contact& contact) const;
   void add(const RecordedContact& contact);
   void write_chunk(std::size_t contacts, double end);
 

@@ -48,6 +48,7 @@ std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t 
 void Simulation::look_ahead_in_copy(const Time& until, std::uint64_t most,
                                     const Function<void(const Contact&)>& observe) const {
   Simulation copy(*this);
+  copy.log_ = {};
   copy.change_listener_ = {};
   copy.epoch_listener_ = {};
   copy.on_contact(observe);

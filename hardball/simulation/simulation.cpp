@@ -71,6 +71,11 @@ void Simulation::on_contact(Function<void(const Contact&)> listener) {
   if (!activity_.is_listening()) take_next_listener();
 }
 
+void Simulation::log_contacts(Function<void(const Contact&)> log) {
+  check_editable("log_contacts");
+  log_ = std::move(log);
+}
+
 void Simulation::take_next_listener() {
   if (!next_listener_) return;
   listener_ = std::move(*next_listener_);
@@ -112,12 +117,12 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     note(contact, measures);
     return !is_rescheduled_;
   }};
-  const ContactObserver measuring{.note =
-                                      [measures](const Contact& contact) {
-                                        measures->note(contact);
-                                        return true;
-                                      },
-                                  .looks_around = false};
+  const ContactObserver logging{.note =
+                                    [this, measures](const Contact& contact) {
+                                      log(contact, measures);
+                                      return true;
+                                    },
+                                .looks_around = false};
   Agenda agenda(limits, now_);
   do {
     is_rescheduled_ = false;
@@ -125,13 +130,13 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     tuner_->make_ready(now_);
     const Time sample = measures ? measures->next_sample() : kNever;
     const bool listens = listener_ || next_listener_ || tuner_->engine().interactions().may_merge();
-    const bool is_measured = measures && measures->has_begun();
+    const bool logs = log_ || (measures && measures->has_begun());
     Agenda::Item item = Agenda::Item::nothing;
     try {
       item = agenda.advance(*tuner_, next_action(), sample, contacts_of_epoch(), sums_,
-                            listens       ? listening
-                            : is_measured ? measuring
-                                          : ContactObserver());
+                            listens ? listening
+                            : logs  ? logging
+                                    : ContactObserver());
     } catch (...) {
       now_ = later(now_, sums_.tally.last_change());
       throw;
@@ -155,9 +160,15 @@ void Simulation::note(const Contact& contact, Measures* measures) {
   now_ = contact.time;
   if (contact.outcome == ContactOutcome::merge) [[unlikely]]
     note_merger(contact, measures);
-  if (measures) measures->note(contact);
+  log(contact, measures);
   if (listener_ || next_listener_)
     call_listener(contact, measures ? Activity::Kind::measuring : Activity::Kind::listening);
+}
+
+// To be called with every contact, in order, perhaps when others have been carried out.
+void Simulation::log(const Contact& contact, Measures* measures) {
+  if (measures) measures->note(contact);
+  if (log_) log_(contact);
 }
 
 void Simulation::note_merger(const Contact& contact, const Measures* measures) {

@@ -114,9 +114,14 @@ void PythonSimulation::set_until(std::optional<double> until) {
 }
 
 void PythonSimulation::listen() {
-  if (!listener_ && !records_ && !is_stepping_) return simulation_.on_contact(nullptr);
+  simulation_.log_contacts(nullptr);
+  if (records_) {
+    simulation_.log_contacts([this](const Contact& contact) {
+      if (records_) records_->note(contact);
+    });
+  }
+  if (!listener_ && !is_stepping_) return simulation_.on_contact(nullptr);
   simulation_.on_contact([this](const Contact& contact) {
-    if (records_) records_->note(contact);
     if (is_stepping_) last_ = contact;
     if (!listener_) return;
     const py::gil_scoped_acquire lock;
@@ -259,6 +264,7 @@ void PythonSimulation::run_ahead(double end, std::uint64_t contacts, Watch&& wat
   copy.listener_.reset();
   copy.measures_ = Measures({.names = {}});
   Simulation& simulation = copy.simulation_;
+  simulation.on_contact(nullptr);
   const Claim claim(copy);
   watch(simulation);
   copy.run_interruptibly({.until = Time(end), .contacts = contacts}, [&] { check(simulation); });
@@ -270,7 +276,7 @@ std::vector<Contact> PythonSimulation::contacts_within(double duration, std::uin
   std::vector<Contact> found = simulation_.contacts_within(duration, 0);
   run_ahead(
       simulation_.time() + duration, most,
-      [&](Simulation& copy) { copy.on_contact([&](const Contact& contact) { found.push_back(contact); }); },
+      [&](Simulation& copy) { copy.log_contacts([&](const Contact& contact) { found.push_back(contact); }); },
       [](const Simulation&) {});
   return found;
 }
@@ -282,7 +288,10 @@ void PythonSimulation::record_ahead(const std::filesystem::path& path, double en
     RecordingHeader header = recording_header(copy);
     if (std::isfinite(end)) header.until = end;
     writer.emplace(path, header, copy.world());
-    copy.on_contact([&](const Contact& contact) { writer->note(contact, copy.world()); });
+    copy.log_contacts([&](const Contact& contact) {
+      if (contact.outcome == ContactOutcome::merge) return writer->note(contact, copy.world());
+      writer->note(contact);
+    });
     copy.on_velocity_change([&](const VelocityChange& change) { writer->note(change, copy.world()); });
     copy.on_epoch([&](const Growth& epoch) { writer->note(epoch); });
   };
