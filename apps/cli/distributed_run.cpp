@@ -15,6 +15,7 @@
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/progress.hpp"
 #include "apps/cli/run_files.hpp"
+#include "apps/cli/run_report.hpp"
 #include "apps/cli/seconds_since.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/started_run.hpp"
@@ -26,6 +27,8 @@
 #include "hardball/distributed/distributed_simulation.hpp"
 #include "hardball/distributed/in_all.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/execution/follow.hpp"
+#include "hardball/measure/measures.hpp"
 #include "hardball/scenario/make_world.hpp"
 
 namespace hardball::cli {
@@ -33,9 +36,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The scenario without the measures and the report that a run has unless it says otherwise. Error: it asks
-// for what processes cannot share.
-Scenario shared(Scenario scenario) {
+// Error: the scenario asks for what processes cannot share.
+void check_can_be_shared(const Scenario& scenario) {
   constexpr const char* kRemedy = "leave it out, or run it in one process";
   if (scenario.thermostat) throw Error("processes cannot share a thermostat", scenario.name, kRemedy);
   if (scenario.growth) throw Error("processes cannot share a growth", scenario.name, kRemedy);
@@ -44,9 +46,6 @@ Scenario shared(Scenario scenario) {
   if (scenario.has_steps())
     throw Error("processes cannot share spheres with potentials of steps", scenario.name, kRemedy);
   if (scenario.recording) throw Error("processes cannot share a recording", scenario.name, kRemedy);
-  const std::vector<std::string> by_default = MeasureSettings().names;
-  if (!scenario.measures.names.empty() && scenario.measures.names != by_default)
-    throw Error("processes cannot share measures", scenario.name, kRemedy);
   for (const SnapshotFormat format : scenario.trajectories) {
     if (format == SnapshotFormat::extended_xyz || format == SnapshotFormat::extended_xyz_zst ||
         format == SnapshotFormat::lammps)
@@ -54,9 +53,12 @@ Scenario shared(Scenario scenario) {
     throw Error("processes cannot write this format of snapshots", scenario.name,
                 "choose extended XYZ or a LAMMPS dump");
   }
+}
+
+// Without measures there is no report, either.
+void leave_out_measures(Scenario& scenario) {
   scenario.measures.names.clear();
   scenario.report = false;
-  return scenario;
 }
 
 std::size_t threads_of(const Options& options) {
@@ -112,13 +114,17 @@ class DistributedRun {
     if (!directory) return;
     directory_ = *directory;
     in_first(processes_, [&] { files_.emplace(*directory_, scenario_, nullptr, options_.overwrite); });
+    measures_ = Measures(scenario_.measures);
+    follow_if_measured();
   }
-  // Continues the files of a checkpoint.
-  void continue_files(const std::filesystem::path& directory, const FilesState& state,
+  // Continues the files of a checkpoint, and the measures.
+  void continue_files(const std::filesystem::path& directory, const FilesState& state, Measures measures,
                       std::uint64_t next_snapshot) {
     directory_ = directory;
     next_snapshot_ = next_snapshot;
     in_first(processes_, [&] { files_.emplace(*directory_, scenario_, state); });
+    measures_ = std::move(measures);
+    follow_if_measured();
   }
 
   // To the end. `seconds`: those so far.
@@ -161,24 +167,37 @@ class DistributedRun {
     }
   }
 
+  // Until `time`, samples at that time included, or until there have been `contacts` in all, or a signal
+  // stops it.
   RunStatus run_to(double time, std::uint64_t contacts) {
+    for (;;) {
+      const Time sample = later(processes_.gather(measures_.next_sample()).front(), simulation_.now());
+      const bool is_due = is_measured() && sample <= Time(time);
+      const RunStatus status = run_without_samples(is_due ? sample : Time(time), contacts);
+      if (status != RunStatus::time_reached || !is_due) return status;
+      in_first(processes_, [&] { measures_.sample(*whole_, later(sample, last_contact_)); });
+    }
+  }
+
+  RunStatus run_without_samples(const Time& until, std::uint64_t contacts) {
     for (;;) {
       if (says_first(is_checkpoint_due())) write_checkpoint(*directory_ / kCheckpoint);
       bool has_advanced = false;
       // Of what the first process sees, the others learn from the status.
       const auto stop = [&] {
         write([&] { files_->keep_current(); });
-        progress_->show(std::max(simulation_.time(), reached_), collisions_);
+        progress_->show(std::max(simulation_.time(), last_contact_.value()), collisions_);
         return !failure_.empty() || is_interrupted() ||
                (std::exchange(has_advanced, true) && is_checkpoint_due());
       };
       const RunLimits limits{
-          .until = Time(time), .contacts = contacts - simulation_.counters().contacts(), .stop = stop};
-      const RunStatus status =
-          simulation_.run(limits, scenario_.event_log && directory_.has_value(), [&](const Contact& contact) {
-            reached_ = contact.time.value();
-            write([&] { files_->note(contact); });
-          });
+          .until = until, .contacts = contacts - simulation_.counters().contacts(), .stop = stop};
+      const RunStatus status = simulation_.run(limits, is_observed(), [&](const Contact& contact) {
+        last_contact_ = contact.time;
+        if (whole_) follow(*whole_, contact);
+        measures_.note(contact);
+        write([&] { files_->note(contact); });
+      });
       collisions_ = simulation_.counters().collision;
       in_first(processes_, [&] {
         if (!failure_.empty()) throw RunFailure(failure_);
@@ -196,6 +215,22 @@ class DistributedRun {
     } catch (const RunFailure& failure) {
       failure_ = failure.what();
     }
+  }
+
+  bool is_measured() const { return directory_ && !scenario_.measures.names.empty(); }
+  bool is_observed() const { return is_measured() || (scenario_.event_log && directory_); }
+
+  // Measures need all spheres: the first process gets them, and lets the contacts that it is told of happen.
+  void follow_if_measured() {
+    if (!is_measured()) return;
+    const std::vector<std::vector<Traveler>> own = simulation_.own_blocks();
+    BlocksInFirst blocks(simulation_, own);
+    if (processes_.is_first()) {
+      whole_ = simulation_.empty_world();
+      while (const std::optional<std::vector<Traveler>> block = blocks.next())
+        whole_->insert_all(block->size(), [&](std::size_t k) { return (*block)[k].state; });
+    }
+    blocks.complete();
   }
 
   bool has_snapshots() const { return directory_ && !scenario_.trajectories.empty(); }
@@ -228,7 +263,7 @@ class DistributedRun {
       sections = {
           {"run", archived(RunState{options_, scenario_.text, scenario_.name, next_snapshot_, seconds_})},
           {"files", archived(files)},
-          {"measures", archived(Measures(scenario_.measures))}};
+          {"measures", archived(measures_)}};
     });
     write_distributed_checkpoint(simulation_, path, sections);
     last_checkpoint_ = Clock::now();
@@ -295,16 +330,43 @@ class DistributedRun {
                            .engine = simulation_.engine(),
                            .cell_edge = simulation_.cell_edge(),
                            .memory_bytes = simulation_.memory_bytes()};
+    const std::optional<Simulation> whole = whole_for_report();
     in_first(processes_, [&] {
       const Summary summary(scenario_, options_.overrides, state, seconds_);
       const std::string json = summary.json();
-      if (files_) files_->finish(simulation_.time(), {}, json, "");
+      std::vector<Measurement> measurements;
+      if (whole_) {
+        measures_.sample_the_rest(*whole_, simulation_.now());
+        measurements = measures_.results(*whole_, simulation_.now());
+      }
+      std::string html;
+      if (whole) {
+        html = to_html(run_report(options_, scenario_, *whole, summary, measurements, is_complete));
+      }
+      if (files_) files_->finish(simulation_.time(), measurements, json, html);
       write_output(options_.json ? json : summary.table());
       if (is_complete) return;
       write_message("interrupted at time " + to_text(simulation_.time()) + " of " +
                     to_text(*scenario_.until) +
                     (files_ ? "; 'hardball resume " + directory_->string() + "' resumes it" : ""));
     });
+  }
+
+  // In the first process, if there is to be a report.
+  std::optional<Simulation> whole_for_report() {
+    if (!is_measured() || !scenario_.report) return std::nullopt;
+    const std::string saved = simulation_.save();
+    const std::vector<std::vector<Traveler>> own = simulation_.own_blocks();
+    BlocksInFirst blocks(simulation_, own);
+    std::optional<Simulation> whole;
+    if (processes_.is_first()) {
+      std::vector<std::string> all;
+      while (const std::optional<std::vector<Traveler>> block = blocks.next())
+        all.push_back(DistributedSimulation::saved_block(*block));
+      whole = DistributedSimulation::load_whole(saved, all, scenario_.name);
+    }
+    blocks.complete();
+    return whole;
   }
 
   Options options_;
@@ -317,7 +379,9 @@ class DistributedRun {
   Seconds seconds_;
   double seconds_before_ = 0;
   double kept_ = 0;
-  double reached_ = 0;  // by the contacts observed [T]
+  Measures measures_ = Measures({.names = {}});  // sampled in the first process
+  std::optional<World> whole_;                   // in the first process, if there are measures
+  Time last_contact_;                            // of those observed
   std::uint64_t collisions_ = 0;
   std::string failure_;  // of files, in the midst of a run
   std::optional<Progress> progress_;
@@ -330,7 +394,11 @@ class DistributedRun {
 ExitCode run_distributed(const Options& options, Processes& processes) {
   const Clock::time_point begin = Clock::now();
   catch_signals();
-  Scenario scenario = shared(read_scenario(options));
+  Scenario scenario = read_scenario(options);
+  check_can_be_shared(scenario);
+  // Those that a run has by default: with measures the first process has to hold all spheres.
+  const std::vector<std::string>& names = scenario.measures.names;
+  if (names.empty() || names == MeasureSettings().names) leave_out_measures(scenario);
   std::optional<DistributedRun> run;
   {
     SetUpProgress progress(processes.is_first() && !options.quiet);
@@ -356,16 +424,20 @@ ExitCode resume_distributed(const Options& options, Processes& processes) {
   std::optional<CheckpointReader> checkpoint;
   RunState state;
   FilesState files;
+  Measures measures;
   in_all(processes, [&] {
     checkpoint.emplace(path);
     restore(checkpoint->section("run"), path.string(), state);
     restore(checkpoint->section("files"), path.string(), files);
+    restore(checkpoint->section("measures"), path.string(), measures);
   });
   if (options.until) state.options.until = options.until;
   state.options.json = options.json;
   state.options.quiet = options.quiet;
-  const Scenario scenario =
-      shared(changed_by(state.options, parse_scenario(state.text, state.name, state.options.overrides)));
+  Scenario scenario =
+      changed_by(state.options, parse_scenario(state.text, state.name, state.options.overrides));
+  check_can_be_shared(scenario);
+  if (!measures.is_any_wanted()) leave_out_measures(scenario);
   DistributedSimulation simulation = loaded(*checkpoint, path, threads_of(options), processes);
   const double time = simulation.time();
   if (*scenario.until < time || (*scenario.until == time && is_finished(directory))) {
@@ -373,7 +445,7 @@ ExitCode resume_distributed(const Options& options, Processes& processes) {
                 "give a later end with --until");
   }
   DistributedRun run(state.options, scenario, std::move(simulation));
-  run.continue_files(directory, files, state.next_snapshot);
+  run.continue_files(directory, files, std::move(measures), state.next_snapshot);
   state.seconds.setup += seconds_since(begin);
   return run.carry_out(state.seconds);
 }

@@ -50,7 +50,9 @@ void add_unit_costs_option(CLI::App& command, Options& options) {
 }
 
 void add_threads_option(CLI::App& command, Options& options) {
-  command.add_option("--threads", options.threads, "Threads that share the work; affects only the speed")
+  command
+      .add_option("--threads", options.threads,
+                  "Threads that share the work, as many as pay by default; affects only the speed")
       ->type_name("auto|NUMBER");
 }
 

@@ -23,7 +23,7 @@ struct Options {
   std::string unit_costs = "auto";
   std::string queue = "calendar";
   std::string instructions = "auto";
-  std::string threads = "1";
+  std::string threads = "auto";
   std::optional<std::string> budget;  ///< Seconds.
   std::optional<std::string> out;
   std::optional<std::string> checkpoint;  ///< Relative to the output directory.

@@ -214,10 +214,12 @@ report::SurfaceReport surface_report(const WallSummary& wall) {
 
 }  // namespace
 
-report::Report run_report(const Options& options, const Scenario& scenario,
-                          const EngineOptions& engine_options, const Simulation& simulation,
-                          const Summary& summary) {
+report::Report run_report(const Options& options, const Scenario& scenario, const Simulation& simulation,
+                          const Summary& summary, std::span<const Measurement> measurements,
+                          bool is_complete) {
   report::Report report;
+  report.is_complete = is_complete;
+  report.measurements.assign(measurements.begin(), measurements.end());
   report.name = std::filesystem::path(scenario.name).stem().string();
   report.scenario = scenario.text;
   report.changes = changes(options);
@@ -275,7 +277,7 @@ report::Report run_report(const Options& options, const Scenario& scenario,
 
   const GasStatistics statistics = gas_statistics(simulation.world(), simulation.now());
   report.rates = rates(simulation, statistics, summary);
-  report.choice = choice(simulation, statistics, engine_options.unit_costs);
+  report.choice = choice(simulation, statistics, simulation.options().unit_costs);
   return report;
 }
 

@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "apps/cli/options.hpp"
 #include "apps/cli/summary.hpp"
 #include "apps/report/report.hpp"
+#include "hardball/measure/measurement.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace hardball::cli {
 
-/// The contents of a run's report at the current time of the simulation, except its measures. `options` are
-/// those of the command line, `engine_options` what they resolved to.
-report::Report run_report(const Options& options, const Scenario& scenario,
-                          const EngineOptions& engine_options, const Simulation& simulation,
-                          const Summary& summary);
+/// The contents of a run's report at the current time of the simulation, which may not be that of its end.
+/// `options` are those of the command line.
+report::Report run_report(const Options& options, const Scenario& scenario, const Simulation& simulation,
+                          const Summary& summary, std::span<const Measurement> measurements,
+                          bool is_complete);
 
 }  // namespace hardball::cli

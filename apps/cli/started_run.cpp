@@ -177,11 +177,7 @@ ExitCode carry_out(StartedRun& run) {
     const std::vector<Measurement> measurements = run.measures.results(simulation.world(), simulation.now());
     std::string html;
     if (run.scenario.report) {
-      report::Report report =
-          run_report(run.options, run.scenario, simulation.options(), simulation, summary);
-      report.is_complete = is_complete;
-      report.measurements = measurements;
-      html = to_html(report);
+      html = to_html(run_report(run.options, run.scenario, simulation, summary, measurements, is_complete));
     }
     run.files->finish(simulation.time(), measurements, json, html);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <optional>
 #include <span>
 #include <string>
@@ -243,7 +244,7 @@ Time Measures::next_sample() const {
   return next;
 }
 
-void Measures::sample(const World& world, const Time& now) {
+void Measures::sample(const World& world, const Time& now, const ForEach& for_each) {
   if (!is_any_wanted_) return;
   const Scene scene(world, now);
   if (!has_begun_) {
@@ -259,11 +260,25 @@ void Measures::sample(const World& world, const Time& now) {
     last_id_ = last_id_of(world);
     begin_ = now;
   }
+  std::vector<Function<void()>> due;
   entries_->for_each([&](auto& entry) {
     if (entry.schedule.next() > now) return;
-    take_sample(entry, scene);
-    entry.schedule.advance(now, contacts_);
+    due.push_back([&] {
+      take_sample(entry, scene);
+      entry.schedule.advance(now, contacts_);
+    });
   });
+  std::vector<std::exception_ptr> failures(due.size());
+  for_each(due.size(), [&](std::size_t k) {
+    try {
+      due[k]();
+    } catch (...) {
+      failures[k] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
 }
 
 void Measures::sample_the_rest(const World& world, const Time& now) {

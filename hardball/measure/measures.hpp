@@ -12,6 +12,7 @@
 #include "hardball/interaction/contact.hpp"
 #include "hardball/measure/measure_settings.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/memory/for_each.hpp"
 #include "hardball/memory/value_pointer.hpp"
 #include "hardball/world/velocity_change.hpp"
 
@@ -53,9 +54,10 @@ class HARDBALL_EXPORT Measures {
   void note(const VelocityChange& change);
   /// When the next sample is due; kNever if none is.
   Time next_sample() const;
-  /// Samples the world; the first call starts the measures. Precondition: `now` is not before next_sample()
-  /// and no contact lies between the stored paths and it.
-  void sample(const World& world, const Time& now);
+  /// Samples the world; the first call starts the measures. Several measures may sample at once, as
+  /// `for_each` decides. Precondition: `now` is not before next_sample() and no contact lies between the
+  /// stored paths and it.
+  void sample(const World& world, const Time& now, const ForEach& for_each = one_by_one);
   /// Takes a sample for each measure that needs samples and has none yet: for the end of a run that was too
   /// short for them. Precondition: as for sample().
   void sample_the_rest(const World& world, const Time& now);

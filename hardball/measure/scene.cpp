@@ -7,7 +7,8 @@ namespace {
 
 // The stored value, computed first if there is none.
 template <class Found, class Find>
-const Found& once(std::optional<Found>& found, const Find& find) {
+const Found& once(std::recursive_mutex& mutex, std::optional<Found>& found, const Find& find) {
+  const std::scoped_lock lock(mutex);
   if (!found) found.emplace(find());
   return *found;
 }
@@ -15,19 +16,19 @@ const Found& once(std::optional<Found>& found, const Find& find) {
 }  // namespace
 
 const SpeciesList& Scene::species() const {
-  return once(species_, [&] { return SpeciesList(world_); });
+  return once(mutex_, species_, [&] { return SpeciesList(world_); });
 }
 
 const FluidTheory& Scene::fluid() const {
-  return once(fluid_, [&] { return FluidTheory(world_, species()); });
+  return once(mutex_, fluid_, [&] { return FluidTheory(world_, species()); });
 }
 
 const GasStatistics& Scene::statistics() const {
-  return once(statistics_, [&] { return gas_statistics(world_, now_); });
+  return once(mutex_, statistics_, [&] { return gas_statistics(world_, now_); });
 }
 
 const ThermalMotion& Scene::thermal_motion() const {
-  return once(motion_, [&] {
+  return once(mutex_, motion_, [&] {
     ThermalMotion motion = hardball::thermal_motion(world_, now_);
     motion.is_driven |= is_driven_ || world_.has_steps();
     return motion;
@@ -35,7 +36,7 @@ const ThermalMotion& Scene::thermal_motion() const {
 }
 
 const std::vector<Vec3>& Scene::centers() const {
-  return once(centers_, [&] {
+  return once(mutex_, centers_, [&] {
     std::vector<Vec3> centers;
     centers.reserve(world_.size());
     world_.for_each_by_id([&](Slot slot) { centers.push_back(world_.position(slot, now_)); });
@@ -44,7 +45,8 @@ const std::vector<Vec3>& Scene::centers() const {
 }
 
 const NeighborQuery& Scene::surroundings() const {
-  return once(surroundings_, [&] { return NeighborQuery(world_, centers(), statistics().volume(), now_); });
+  return once(mutex_, surroundings_,
+              [&] { return NeighborQuery(world_, centers(), statistics().volume(), now_); });
 }
 
 bool Scene::has_equilibrium(const ThermalMotion& begin) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,7 @@
 namespace hardball {
 
 /// The world at one time, as measures see it: what several of them need is computed once, when first
-/// requested.
+/// requested. Several threads may use it at once.
 class Scene {
  public:
   /// Refers to the world, which must not change while the scene is in use; a world is driven if a thermostat
@@ -46,6 +47,7 @@ class Scene {
   const World& world_;
   Time now_;
   bool is_driven_;
+  mutable std::recursive_mutex mutex_;  // of what follows, some of which needs other parts of it
   // Computed so far.
   mutable std::optional<SpeciesList> species_;
   mutable std::optional<FluidTheory> fluid_;

@@ -15,7 +15,7 @@
 
 #include "hardball/engine/run.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/memory/function.hpp"
+#include "hardball/memory/for_each.hpp"
 #include "hardball/parallel/domain.hpp"
 #include "hardball/parallel/exchange.hpp"
 #include "hardball/parallel/load.hpp"
@@ -25,9 +25,6 @@
 #include "hardball/processes/bytes.hpp"
 
 namespace hardball {
-
-/// Calls work(k) for each k below a count, perhaps for several at once, and returns when all have returned.
-using ForEach = Function<void(std::size_t count, const Function<void(std::size_t)>& work)>;
 
 /// Domains that together are one system: in windows of time they run apart, compare, and go back where they
 /// were wrong, so that the contacts are those of one engine to the last bit. Source: docs/parallel.md.

@@ -72,8 +72,7 @@ class Domain {
   }
   std::size_t memory_bytes() const {
     return engine_.memory_bytes() + residents_.memory_bytes() + frontier_.memory_bytes() +
-           log_.capacity() * sizeof(LoggedContact) + ghost_records_.capacity() * sizeof(GhostRecord) +
-           changed_.capacity() * sizeof(SphereId);
+           log_.capacity() * sizeof(LoggedContact) + ghost_records_.capacity() * sizeof(GhostRecord);
   }
   /// What it tells a neighbor, by the number of the domain.
   const Outbox& outbox_to(DomainNumber neighbor) const { return outboxes_[neighbor_number(neighbor)]; }
@@ -92,21 +91,11 @@ class Domain {
     is_log_kept_ = is_kept;
     is_summed_ = is_summed;
   }
-  /// Calls visit(slot) for every own sphere whose state has changed since the last call, perhaps for others.
+  /// Calls visit(slot) for every own sphere whose state has changed since the last call, perhaps for others,
+  /// in the order of slots.
   template <class Visit>
   void take_changed(Visit&& visit) {
-    if (have_all_changed_) {
-      for (Slot slot = 0; slot < world().size(); ++slot) {
-        if (residents_.is_own(slot)) visit(slot);
-      }
-    } else {
-      for (const SphereId sphere : changed_) {
-        const std::optional<Slot> slot = world().find(sphere);
-        if (slot && residents_.is_own(*slot)) visit(*slot);
-      }
-    }
-    changed_.clear();
-    have_all_changed_ = false;
+    residents_.take_changes(visit);
   }
   /// Adds its own spheres as they are at `moment` to a sum over spheres.
   template <class SumOverSpheres>
@@ -349,7 +338,7 @@ class Domain {
   HARDBALL_ALWAYS_INLINE void note_own(Slot slot, SphereId id, const Vec3& position, const Vec3& before,
                                        const Vec3& after, const Time& since, const Contact& contact,
                                        Slot partner) {
-    changed_.push_back(id);
+    residents_.note_change(slot);
     const NeighborSet holders = residents_.holders(slot);
     const double now = contact.time.high;
     if (holders == 0 && frontier_.is_interior(position, largest_component(before), since.high,
@@ -488,8 +477,6 @@ class Domain {
   std::vector<Slot> touched_;           // own spheres whose owner or holders may change
   std::vector<NewPath> corrected_;
   std::vector<SphereState> arriving_;
-  std::vector<SphereId> changed_;  // own spheres, since the last take_changed()
-  bool have_all_changed_ = false;  // then it is not kept
 };
 
 }  // namespace hardball

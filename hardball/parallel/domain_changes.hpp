@@ -14,10 +14,6 @@ void Domain<Engine, Sums>::commit(const Time& moment) {
   begin_ = later(moment, engine_.now());
   if (is_summed_ && counted_.contacts() > 0) sums_.add(window_sums_);
   keep_own_counts();
-  // To look up few takes as long as to go through all.
-  constexpr std::size_t kAllPerFew = 16;
-  if (kAllPerFew * changed_.size() > world().size()) have_all_changed_ = true;
-  if (have_all_changed_) changed_.clear();
   for (Outbox& outbox : outboxes_) outbox.clear();
   // Those of a contact that is executed alone were set after the others were taken.
   take_alarms(moment.high, [&](const Frontier::Alarm& alarm) { touched_.push_back(alarm.slot); });
@@ -126,7 +122,7 @@ void Domain<Engine, Sums>::take_over(const Handover& handover) {
     aftermath.collapse.set_idle_contacts(handover.sphere.id, handover.idle_contacts);
     engine_.take_over(aftermath);
   }
-  changed_.push_back(handover.sphere.id);
+  residents_.note_change(slot);
   set_alarm(slot);
 }
 

@@ -19,6 +19,7 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/execution/aftermath.hpp"
+#include "hardball/execution/follow.hpp"
 #include "hardball/parallel/cluster.hpp"
 #include "hardball/parallel/division.hpp"
 #include "hardball/parallel/system_size.hpp"
@@ -47,7 +48,7 @@ class ParallelEngine {
         phase_(other.phase_),
         world_(other.world_),
         team_(new_team()),
-        cluster_(std::make_unique<Domains>(*other.cluster_, for_each())),
+        cluster_(std::make_unique<Domains>(*other.cluster_, by_team())),
         halo_(other.halo_),
         partition_(other.partition_),
         next_review_(other.next_review_),
@@ -89,6 +90,11 @@ class ParallelEngine {
   }
   static bool supports(const World& world, double length) {
     return Phase::supports(world, length) && !world.interactions().may_merge();
+  }
+  /// See AnyEngine.
+  void for_each(std::size_t count, const Function<void(std::size_t)>& work) {
+    const ThreadTeam::Pinned pinned(*team_);
+    team_->for_each(count, work);
   }
   /// Of the first domain.
   PhaseLengths lengths() const { return cluster_->domain(0).engine().lengths(); }
@@ -262,7 +268,7 @@ class ParallelEngine {
   static constexpr double kLastMoment = 1e120;
 
   std::unique_ptr<ThreadTeam> new_team() const { return std::make_unique<ThreadTeam>(settings_.threads); }
-  ForEach for_each() const {
+  ForEach by_team() const {
     return [team = team_.get()](std::size_t count, const Function<void(std::size_t)>& work) {
       team->for_each(count, work);
     };
@@ -284,11 +290,11 @@ class ParallelEngine {
     const auto make = [&](World world, const PhaseSettings& phase) {
       return DomainEngine(std::move(world), Phase(phase), now, phase.instructions);
     };
-    for_each()(partition_.size(), [&](std::size_t number) {
+    team_->for_each(partition_.size(), [&](std::size_t number) {
       domains[number] = std::make_unique<typename Domains::Member>(
           world_, owners, now, partition_, static_cast<DomainNumber>(number), halo_, phase_, make);
     });
-    cluster_ = std::make_unique<Domains>(std::move(domains), now, size.windows(settings_), for_each());
+    cluster_ = std::make_unique<Domains>(std::move(domains), now, size.windows(settings_), by_team());
     take_over(aftermath_);
     is_outdated_ = false;
     gathering_->is_done = true;
@@ -326,12 +332,12 @@ class ParallelEngine {
     bool have_spun = false;
     const auto bring = [&](auto& domain, std::size_t) {
       // Spheres that follow one another there mostly do here, too.
-      Slot next = 0;
+      Slot ahead = 0;  // how much farther on the last one is here
       domain.take_changed([&](Slot from) {
-        const std::optional<Slot> slot = world_.find(domain.world().id(from), next);
+        const std::optional<Slot> slot = world_.find(domain.world().id(from), from + ahead);
         HARDBALL_CHECK(slot);
         SphereEdit(world_, now, *slot).store_motion(*slot, domain.world(), from);
-        next = *slot + 1;
+        ahead = *slot - from;
       });
     };
     for (std::size_t k = 0; k < cluster_->size(); ++k) have_spun |= cluster_->domain(k).world().has_spins();
@@ -461,17 +467,7 @@ class ParallelEngine {
     now_ = contact.time;
     ++taken_;
     ++(contact.is_collision() ? open_counts_.collision : open_counts_.wall);
-    if (contact.outcome == ContactOutcome::pass)
-      return world_.note_passage({contact.time, contact.kind, contact.first, contact.second, contact.image});
-    const Slot first = world_.slot_of(contact.first);
-    world_.rewrite_path(first, contact.time, contact.after.first);
-    if (contact.is_collision())
-      world_.rewrite_path(world_.slot_of(contact.second), contact.time, contact.after.second);
-    if (contact.spins_after == contact.spins_before) return;
-    SphereEdit(world_, contact.time, first).store_spin(first, contact.spins_after.first);
-    if (!contact.is_collision()) return;
-    const Slot second = world_.slot_of(contact.second);
-    SphereEdit(world_, contact.time, second).store_spin(second, contact.spins_after.second);
+    follow(world_, contact);
   }
 
   // Takes of the open window only what has been delivered.

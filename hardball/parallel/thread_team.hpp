@@ -12,7 +12,7 @@
 
 namespace hardball {
 
-/// Some threads that share work, the caller's among them, each on a processor of its own if there are enough.
+/// Some threads that share work, the caller's among them, no two on the same processor if there are enough.
 ///
 /// Who waits long gives its processor away: on a busy machine the others may need it.
 class ThreadTeam {
@@ -29,7 +29,7 @@ class ThreadTeam {
   /// not throw.
   void for_each(std::size_t count, const Function<void(std::size_t)>& work);
 
-  /// Keeps the calling thread on the first processor, for as long as this exists.
+  /// Keeps the calling thread on the processors of the first thread, for as long as this exists.
   class Pinned {
    public:
     explicit Pinned(const ThreadTeam& team);

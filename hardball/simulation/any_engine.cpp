@@ -3,7 +3,6 @@
 #include "hardball/simulation/any_engine.hpp"
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 
 #include "hardball/broadphase/large_sphere_grid.hpp"
@@ -12,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/paper/paper_engine.hpp"
+#include "hardball/parallel/processors.hpp"
 #include "hardball/simulation/engine_makers.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_edge.hpp"
@@ -61,17 +61,24 @@ const Choice& choice(EngineKind kind) {
   return *std::ranges::find(kChoices, kind, &Choice::kind);
 }
 
+// With fewer spheres, threads may gain nothing; with more, eight of them gain by half of their number.
+Division as_pays(std::size_t spheres) {
+  constexpr std::size_t kFewest = 1'000'000;
+  constexpr std::size_t kSpheresPerThread = 125'000;
+  if (spheres < kFewest) return {};
+  // Found out once: later the load of the machine contains that of this process.
+  static const std::size_t free = free_processors();
+  const std::size_t threads = std::min(free, spheres / kSpheresPerThread);
+  return {.domains = threads, .threads = threads};
+}
+
 }  // namespace
 
 Division choose_division(const World& world, const EngineOptions& options) {
   if (world.interactions().may_merge() || world.has_steps() || world.box().is_sheared()) return {};
   if (options.division) return *options.division;
-  constexpr std::size_t kSpheresPerThread = 250000;
-  const std::size_t most = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
-  const std::size_t wanted =
-      options.threads > 0 ? options.threads : std::min(most, world.size() / kSpheresPerThread);
-  const std::size_t threads = std::max<std::size_t>(wanted, 1);
-  return {.domains = threads, .threads = threads};
+  if (options.threads == 0) return as_pays(world.size());
+  return {.domains = options.threads, .threads = options.threads};
 }
 
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,

@@ -43,6 +43,9 @@ class AnyEngine {
   /// Of the world as it is at `moment`. Precondition: not is_outdated(). Cost: O(n).
   virtual GasStatistics statistics(const Time& moment) const = 0;
   virtual WindowCounters windows() const = 0;
+  /// Calls work(k) for each k below `count`, in the threads of the engine, and returns when all have
+  /// returned. Precondition: `work` does not throw.
+  virtual void for_each(std::size_t count, const Function<void(std::size_t)>& work) = 0;
   /// Adds all contacts to `sums`, and tells the observer, if there is one.
   virtual RunStatus run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;

@@ -55,6 +55,13 @@ class EngineModel final : public AnyEngine {
       return {};
     }
   }
+  void for_each(std::size_t count, const Function<void(std::size_t)>& work) override {
+    if constexpr (requires { engine_.for_each(count, work); }) {
+      engine_.for_each(count, work);
+    } else {
+      one_by_one(count, work);
+    }
+  }
   RunStatus run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) override {
     if constexpr (requires { engine_.run(limits, sums, observer); }) {
       return engine_.run(limits, sums, observer);

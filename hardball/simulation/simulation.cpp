@@ -147,7 +147,9 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     if (growth_ && growth_->contacts_left(sums_.tally, size()) == 0) growth_->end_by(moment);
     if (item == Agenda::Item::action) agenda.spend(act(moment, measures));
     if (item == Agenda::Item::sample) {
-      measures->sample(world(), moment);
+      measures->sample(world(), moment, [this](std::size_t count, const Function<void(std::size_t)>& work) {
+        tuner_->engine().for_each(count, work);
+      });
       agenda.spend(1);
     }
     tuner_->review_if_due(now_);

@@ -122,6 +122,8 @@ void Tuner::set_threads(std::size_t threads, const Time& now) {
   if (threads == options_.threads && !options_.division) return;
   options_.threads = threads;
   options_.division.reset();
+  const bool is_divided = engine_->blocks().size() > 1;
+  if (!is_divided && choose_division(engine_->world(), options_).domains == 1) return;
   end_look_ahead(now);
   const Time moment = later(now, engine_->now());
   const World& world = engine_->world();

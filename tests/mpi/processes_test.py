@@ -119,6 +119,48 @@ class Processes(unittest.TestCase):
                      str(threads)], processes)
                 self.expect_same(directory, expected)
 
+    def expect_same_measures(self, directory, expected):
+        names = sorted(path.name for path in (expected / "measures").iterdir())
+        self.assertGreater(len(names), 1)
+        self.assertEqual(sorted(path.name for path in (directory / "measures").iterdir()), names)
+        for name in names:
+            self.assertEqual((directory / "measures" / name).read_bytes(),
+                             (expected / "measures" / name).read_bytes(), name)
+        self.assertTrue((directory / "report.html").exists())
+
+    def test_measures_are_those_of_one_process(self):
+        of_gas = '["pressure", "collision_rate", "radial_distribution", "mean_square_displacement"]'
+        of_mixture = '["all", "diffusion"]'
+        for text, names in ((GAS, of_gas), (MIXTURE, of_mixture)):
+            scenario = self.scenario(text + f"[measures]\nnames = {names}\nevery = 0.07\nfrom = 0.1\n")
+            expected = self.run_alone(scenario, "--overwrite")
+            directory = self.folder / "measured"
+            run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet", "--threads", "2"], 3)
+            self.expect_same(directory, expected)
+            self.expect_same_measures(directory, expected)
+            half = ["--until", "1", "--set", "run.until=1", "--quiet", "--overwrite"]
+            # The first process holds all spheres again, or for the first time.
+            for first, second in ((3, 2), (None, 2), (2, None)):
+                run(["run", scenario, "--out", str(directory), *half], first)
+                run(["resume", str(directory), "--until", "3" if text == GAS else "2"], second)
+                self.expect_same(directory, expected)
+                self.expect_same_measures(directory, expected)
+
+    def test_measures_by_default_are_those_of_the_process_that_began(self):
+        scenario = self.scenario(GAS)
+        expected = self.run_alone(scenario)
+        directory = self.folder / "resumed"
+        run(["run", scenario, "--out", str(directory), "--until", "1", "--quiet"])
+        run(["resume", str(directory), "--until", "3"], 3)
+        self.expect_same(directory, expected)
+        self.expect_same_measures(directory, expected)
+        run(["run", scenario, "--out", str(directory), "--overwrite", "--until", "1", "--quiet"], 3)
+        run(["resume", str(directory), "--until", "3"])
+        self.expect_same(directory, expected)
+        quantities = directory / "measures" / "quantities.csv"
+        self.assertEqual(list((directory / "measures").iterdir()), [quantities])
+        self.assertEqual(len(quantities.read_text().splitlines()), 1)
+
     def test_any_number_of_processes_resumes(self):
         scenario = self.scenario(GAS)
         expected = self.run_alone(scenario)
@@ -155,7 +197,6 @@ class Processes(unittest.TestCase):
         scenario = self.scenario(GAS)
         for change, name in (("output.recording=true", "recording"),
                              ("thermostat.kind=\"rescale\"", "thermostat"),
-                             ("measures.names=[\"diffusion\"]", "measures"),
                              ("response.kind=\"merge\"", "merge"),
                              ("output.trajectory=\"gsd\"", "snapshots")):
             extra = ["--set", "thermostat.temperature=1.0", "--set", "thermostat.every=1.0"]
