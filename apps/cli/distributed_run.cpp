@@ -27,7 +27,6 @@
 #include "hardball/distributed/distributed_simulation.hpp"
 #include "hardball/distributed/in_all.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/execution/follow.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/scenario/make_world.hpp"
 
@@ -39,20 +38,17 @@ using Clock = std::chrono::steady_clock;
 // Error: the scenario asks for what processes cannot share.
 void check_can_be_shared(const Scenario& scenario) {
   constexpr const char* kRemedy = "leave it out, or run it in one process";
-  if (scenario.thermostat) throw Error("processes cannot share a thermostat", scenario.name, kRemedy);
   if (scenario.growth) throw Error("processes cannot share a growth", scenario.name, kRemedy);
   if (scenario.shear.is_present())
     throw Error("processes cannot share a sheared box", scenario.name, kRemedy);
   if (scenario.has_steps())
     throw Error("processes cannot share spheres with potentials of steps", scenario.name, kRemedy);
-  if (scenario.recording) throw Error("processes cannot share a recording", scenario.name, kRemedy);
-  for (const SnapshotFormat format : scenario.trajectories) {
-    if (format == SnapshotFormat::extended_xyz || format == SnapshotFormat::extended_xyz_zst ||
-        format == SnapshotFormat::lammps)
-      continue;
-    throw Error("processes cannot write this format of snapshots", scenario.name,
-                "choose extended XYZ or a LAMMPS dump");
-  }
+}
+
+// Whether spheres can be written to such a file block by block.
+bool takes_parts(SnapshotFormat format) {
+  return format == SnapshotFormat::extended_xyz || format == SnapshotFormat::extended_xyz_zst ||
+         format == SnapshotFormat::lammps;
 }
 
 // Without measures there is no report, either.
@@ -107,15 +103,18 @@ class DistributedRun {
         simulation_(std::move(simulation)),
         processes_(simulation_.processes()) {
     std::ranges::sort(scenario_.checkpoint_at);
+    std::ranges::sort(scenario_.trajectories);  // as files have them
   }
 
   // Opens the files of a new run, in this directory if there is one.
   void begin_files(const std::optional<std::filesystem::path>& directory) {
     if (!directory) return;
     directory_ = *directory;
-    in_first(processes_, [&] { files_.emplace(*directory_, scenario_, nullptr, options_.overwrite); });
+    const std::optional<Simulation> whole = scenario_.recording ? whole_simulation() : std::nullopt;
+    in_first(processes_,
+             [&] { files_.emplace(*directory_, scenario_, whole ? &*whole : nullptr, options_.overwrite); });
     measures_ = Measures(scenario_.measures);
-    follow_if_measured();
+    follow_if_needed();
   }
   // Continues the files of a checkpoint, and the measures.
   void continue_files(const std::filesystem::path& directory, const FilesState& state, Measures measures,
@@ -124,7 +123,7 @@ class DistributedRun {
     next_snapshot_ = next_snapshot;
     in_first(processes_, [&] { files_.emplace(*directory_, scenario_, state); });
     measures_ = std::move(measures);
-    follow_if_measured();
+    follow_if_needed();
   }
 
   // To the end. `seconds`: those so far.
@@ -175,7 +174,8 @@ class DistributedRun {
       const bool is_due = is_measured() && sample <= Time(time);
       const RunStatus status = run_without_samples(is_due ? sample : Time(time), contacts);
       if (status != RunStatus::time_reached || !is_due) return status;
-      in_first(processes_, [&] { measures_.sample(*whole_, later(sample, last_contact_)); });
+      in_first(processes_,
+               [&] { measures_.sample(*simulation_.whole(), later(sample, simulation_.last_change())); });
     }
   }
 
@@ -186,15 +186,14 @@ class DistributedRun {
       // Of what the first process sees, the others learn from the status.
       const auto stop = [&] {
         write([&] { files_->keep_current(); });
-        progress_->show(std::max(simulation_.time(), last_contact_.value()), collisions_);
+        progress_->show(std::max(simulation_.time(), reached_), collisions_);
         return !failure_.empty() || is_interrupted() ||
                (std::exchange(has_advanced, true) && is_checkpoint_due());
       };
       const RunLimits limits{
           .until = until, .contacts = contacts - simulation_.counters().contacts(), .stop = stop};
       const RunStatus status = simulation_.run(limits, is_observed(), [&](const Contact& contact) {
-        last_contact_ = contact.time;
-        if (whole_) follow(*whole_, contact);
+        reached_ = contact.time.value();
         measures_.note(contact);
         write([&] { files_->note(contact); });
       });
@@ -218,19 +217,18 @@ class DistributedRun {
   }
 
   bool is_measured() const { return directory_ && !scenario_.measures.names.empty(); }
-  bool is_observed() const { return is_measured() || (scenario_.event_log && directory_); }
+  bool is_observed() const {
+    return is_measured() || (directory_ && (scenario_.event_log || scenario_.recording));
+  }
 
-  // Measures need all spheres: the first process gets them, and lets the contacts that it is told of happen.
-  void follow_if_measured() {
-    if (!is_measured()) return;
-    const std::vector<std::vector<Traveler>> own = simulation_.own_blocks();
-    BlocksInFirst blocks(simulation_, own);
-    if (processes_.is_first()) {
-      whole_ = simulation_.empty_world();
-      while (const std::optional<std::vector<Traveler>> block = blocks.next())
-        whole_->insert_all(block->size(), [&](std::size_t k) { return (*block)[k].state; });
-    }
-    blocks.complete();
+  // Measures need all spheres, and so do some files.
+  void follow_if_needed() {
+    if (is_measured() || scenario_.recording || !std::ranges::all_of(scenario_.trajectories, takes_parts))
+      simulation_.follow_in_first();
+    simulation_.on_velocity_change([this](const VelocityChange& change) {
+      measures_.note(change);
+      write([&] { files_->note(change, *simulation_.whole()); });
+    });
   }
 
   bool has_snapshots() const { return directory_ && !scenario_.trajectories.empty(); }
@@ -274,6 +272,11 @@ class DistributedRun {
     const Snapshot head = head_of_snapshot();
     const std::vector<std::vector<Traveler>> own = simulation_.own_blocks();
     for (std::size_t k = 0; k < scenario_.trajectories.size(); ++k) {
+      if (!takes_parts(scenario_.trajectories[k])) {
+        in_first(processes_,
+                 [&] { files_->write_snapshot(k, snapshot_of(*simulation_.whole(), simulation_.now())); });
+        continue;
+      }
       BlocksInFirst blocks(simulation_, own);
       const auto next = [&]() -> std::optional<Snapshot> {
         const std::optional<std::vector<Traveler>> block = blocks.next();
@@ -325,19 +328,20 @@ class DistributedRun {
                            .has_spins = simulation_.has_spins(),
                            .audit = simulation_.audit(),
                            .species_counts = species_counts,
-                           .thermostat = {},
+                           .thermostat = simulation_.thermostat(),
                            .growth = {},
                            .engine = simulation_.engine(),
                            .cell_edge = simulation_.cell_edge(),
                            .memory_bytes = simulation_.memory_bytes()};
-    const std::optional<Simulation> whole = whole_for_report();
+    const std::optional<Simulation> whole =
+        is_measured() && scenario_.report ? whole_simulation() : std::nullopt;
     in_first(processes_, [&] {
       const Summary summary(scenario_, options_.overrides, state, seconds_);
       const std::string json = summary.json();
       std::vector<Measurement> measurements;
-      if (whole_) {
-        measures_.sample_the_rest(*whole_, simulation_.now());
-        measurements = measures_.results(*whole_, simulation_.now());
+      if (is_measured()) {
+        measures_.sample_the_rest(*simulation_.whole(), simulation_.now());
+        measurements = measures_.results(*simulation_.whole(), simulation_.now());
       }
       std::string html;
       if (whole) {
@@ -352,9 +356,8 @@ class DistributedRun {
     });
   }
 
-  // In the first process, if there is to be a report.
-  std::optional<Simulation> whole_for_report() {
-    if (!is_measured() || !scenario_.report) return std::nullopt;
+  // The same as a simulation of one process, in the first.
+  std::optional<Simulation> whole_simulation() {
     const std::string saved = simulation_.save();
     const std::vector<std::vector<Traveler>> own = simulation_.own_blocks();
     BlocksInFirst blocks(simulation_, own);
@@ -380,8 +383,7 @@ class DistributedRun {
   double seconds_before_ = 0;
   double kept_ = 0;
   Measures measures_ = Measures({.names = {}});  // sampled in the first process
-  std::optional<World> whole_;                   // in the first process, if there are measures
-  Time last_contact_;                            // of those observed
+  double reached_ = 0;                           // by the contacts observed [T]
   std::uint64_t collisions_ = 0;
   std::string failure_;  // of files, in the midst of a run
   std::optional<Progress> progress_;
@@ -407,8 +409,9 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
         scenario, [&](SphereId id) { return id % processes.size() == processes.rank(); },
         [&](const SphereState& state) { brought.push_back({state}); }, progress.part(0, 1));
     const EngineOptions engine_options = shared_engine_options(options, scenario, empty);
-    run.emplace(options, scenario,
-                DistributedSimulation(processes, std::move(empty), std::move(brought), engine_options));
+    DistributedSimulation simulation(processes, std::move(empty), std::move(brought), engine_options);
+    if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
+    run.emplace(options, scenario, std::move(simulation));
   }
   std::optional<std::filesystem::path> directory = scenario.output_directory;
   if (options.out) directory = *options.out;

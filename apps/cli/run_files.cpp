@@ -208,6 +208,10 @@ void RunFiles::write_snapshot(const Simulation& simulation) {
   for (auto& [name, trajectory] : trajectories_) trajectory.append(snapshot);
 }
 
+void RunFiles::write_snapshot(std::size_t trajectory, const Snapshot& snapshot) {
+  trajectories_[trajectory].second.append(snapshot);
+}
+
 void RunFiles::write_snapshot(std::size_t trajectory, const FrameParts& frame) {
   trajectories_[trajectory].second.append(frame);
 }

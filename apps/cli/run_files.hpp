@@ -84,7 +84,9 @@ class RunFiles {
   /// Appends a frame at the current time to the trajectories, if there are any. Error (RunFailure): it cannot
   /// be written.
   void write_snapshot(const Simulation& simulation);
-  /// The same for spheres that come in parts, in one of the trajectories.
+  /// The same in one of the trajectories, which are in the order of SnapshotFormat; also for spheres that
+  /// come in parts.
+  void write_snapshot(std::size_t trajectory, const Snapshot& snapshot);
   void write_snapshot(std::size_t trajectory, const FrameParts& frame);
   /// Appends to the event log and the recording, if there are any; `simulation`: after the contact, needed if
   /// spheres merge in it; `world`: after the change. Error (RunFailure): they cannot be written.

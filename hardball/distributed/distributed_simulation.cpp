@@ -10,7 +10,10 @@
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/broadphase/large_sphere_grid.hpp"
+#include "hardball/distributed/blocks_in_first.hpp"
+#include "hardball/distributed/in_all.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/execution/follow.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/processes/bytes.hpp"
 #include "hardball/simulation/any_engine.hpp"
@@ -102,9 +105,10 @@ struct DistributedSimulation::State {
   std::optional<Time> now = {};  // none at the start
   ContactSums sums = {};
   Counters counters = {};
+  std::optional<Thermostat> thermostat = {};
 
   static void persist(auto& archive, auto& self) {
-    archive(self.empty, self.kind, self.now, self.sums.hash, self.sums.tally, self.counters);
+    archive(self.empty, self.kind, self.now, self.sums.hash, self.sums.tally, self.counters, self.thermostat);
   }
 };
 
@@ -148,6 +152,9 @@ DistributedSimulation::DistributedSimulation(Processes& processes, State state, 
     before_.tally.begin(empty_, totals(), now_);
   }
   own_ = before_.part();
+  last_change_ = before_.tally.last_change();
+  thermostat_ = std::move(state.thermostat);
+  if (thermostat_) follow_in_first();
 }
 
 DistributedSimulation::DistributedSimulation(DistributedSimulation&& other) noexcept = default;
@@ -162,6 +169,24 @@ DistributedSimulation DistributedSimulation::of(Processes& processes, const Worl
   return DistributedSimulation(processes, whole.without_spheres(), std::move(brought), options);
 }
 
+void DistributedSimulation::follow_in_first() {
+  if (of_first(whole_ ? 1 : 0) == 1) return;
+  const std::vector<std::vector<Traveler>> own = own_blocks();
+  BlocksInFirst blocks(*this, own);
+  if (processes_.is_first()) {
+    whole_ = empty_;
+    while (const std::optional<std::vector<Traveler>> block = blocks.next())
+      whole_->insert_all(block->size(), [&](std::size_t k) { return (*block)[k].state; });
+  }
+  blocks.complete();
+}
+
+void DistributedSimulation::set_thermostat(Thermostat thermostat) {
+  thermostat_ = std::move(thermostat);
+  follow_in_first();
+  in_first(processes_, [&] { thermostat_->begin(*whole_, now_); });
+}
+
 RunStatus DistributedSimulation::run(const RunLimits& limits, bool is_observed,
                                      const Function<void(const Contact&)>& observe) {
   if (!(limits.until.value() >= now_.value())) {
@@ -169,10 +194,57 @@ RunStatus DistributedSimulation::run(const RunLimits& limits, bool is_observed,
                 "until", "give a later time");
   }
   if (limits.until < kNever) check_moment(limits.until, "until");
-  const RunStatus status = engine_->run(limits, own_, is_observed, observe);
+  if (!thermostat_) return run_to_action(limits, is_observed, observe);
+  const std::uint64_t before = counters().contacts();
+  for (RunLimits left = limits;;) {
+    const Time action(of_first(processes_.is_first() ? thermostat_->next() : 0));
+    const bool acts = action.high <= limits.until.high && action < kNever;
+    left.until = acts ? action : limits.until;
+    left.contacts = limits.contacts - (counters().contacts() - before);
+    const RunStatus status = run_to_action(left, is_observed, observe);
+    if (status != RunStatus::time_reached || !acts) return status;
+    act(of_first(later(action, last_change_)));
+  }
+}
+
+// Without the actions of the thermostat.
+RunStatus DistributedSimulation::run_to_action(const RunLimits& limits, bool is_observed,
+                                               const Function<void(const Contact&)>& observe) {
+  const bool follows = of_first(whole_ ? 1 : 0) == 1;
+  const RunStatus status = engine_->run(limits, own_, is_observed || follows, [&](const Contact& contact) {
+    if (whole_) {
+      last_change_ = contact.time;
+      follow(*whole_, contact);
+    }
+    if (is_observed) observe(contact);
+  });
   const bool is_idle = status == RunStatus::time_reached && !(limits.until < kNever);
   if (!is_idle) now_ = later(now_, engine_->now());
   return status;
+}
+
+// The first process lets the thermostat act on all spheres, and tells the others.
+void DistributedSimulation::act(const Time& moment) {
+  std::span<const NewVelocity> changes;
+  std::vector<VelocityEdit> own;
+  in_first(processes_, [&] {
+    const double energy_before = thermostat_->energy();
+    changes = thermostat_->act(*whole_, moment);
+    own_.tally.note_edit(thermostat_->energy() - energy_before, moment);
+    for (const NewVelocity& change : changes) own.push_back({whole_->id(change.slot), change.after});
+  });
+  std::vector<VelocityEdit> edits;
+  append_bytes(processes_.gather(bytes_of(own)).front(), edits);
+  engine_->change_velocities(moment, edits);
+  now_ = later(now_, moment);
+  last_change_ = moment;
+  for (const NewVelocity& change : changes) {
+    const Slot slot = change.slot;
+    whole_->change_velocity(slot, moment, change.after);
+    if (!change_listener_) continue;
+    change_listener_({moment, whole_->id(slot), whole_->mass(slot), whole_->path(slot).position,
+                      change.before, change.after});
+  }
 }
 
 double DistributedSimulation::cell_edge() const {
@@ -314,7 +386,7 @@ std::vector<std::vector<Traveler>> DistributedSimulation::own_blocks() const {
 std::string DistributedSimulation::save() const {
   World empty = empty_;
   empty.note_passage(engine_->last_passage());
-  return archived(SavedOptions{options_}, State{empty, kind_, now_, sums(), counters()});
+  return archived(SavedOptions{options_}, State{empty, kind_, now_, sums(), counters(), thermostat_});
 }
 
 std::string DistributedSimulation::saved_block(const std::vector<Traveler>& block) {
@@ -341,8 +413,6 @@ DistributedSimulation DistributedSimulation::load(Processes& processes, std::str
 
 DistributedSimulation DistributedSimulation::of(Processes& processes, const Simulation& whole,
                                                 std::size_t threads) {
-  if (whole.thermostat())
-    throw Error("processes cannot share a thermostat", "processes", "resume it in one process");
   if (whole.world().motion().has_growth())
     throw Error("processes cannot share a growth", "processes", "resume it in one process");
   if (whole.world().box().is_sheared())
@@ -358,9 +428,10 @@ DistributedSimulation DistributedSimulation::of(Processes& processes, const Simu
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (world.id(slot) % processes.size() == processes.rank()) brought.push_back({world.state_of(slot)});
   }
-  return DistributedSimulation(
-      processes, {world.without_spheres(), whole.engine(), whole.now(), whole.sums(), whole.counters()},
-      std::move(brought), options);
+  return DistributedSimulation(processes,
+                               {world.without_spheres(), whole.engine(), whole.now(), whole.sums(),
+                                whole.counters(), whole.thermostat()},
+                               std::move(brought), options);
 }
 
 Simulation DistributedSimulation::load_whole(std::string_view saved, const std::vector<std::string>& blocks,
@@ -376,8 +447,9 @@ Simulation DistributedSimulation::load_whole(std::string_view saved, const std::
     for (const Traveler& traveler : spheres)
       collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
   }
-  return Simulation::load(
-      saved_simulation(options, state.kind, world, *state.now, state.sums, state.counters, collapse), where);
+  return Simulation::load(saved_simulation(options, state.kind, world, *state.now, state.sums, state.counters,
+                                           collapse, state.thermostat),
+                          where);
 }
 
 }  // namespace hardball

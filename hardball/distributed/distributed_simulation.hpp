@@ -18,8 +18,10 @@
 #include "hardball/simulation/contact_sums.hpp"
 #include "hardball/simulation/engine_options.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/thermostats/thermostat.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/totals.hpp"
+#include "hardball/world/velocity_change.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -47,9 +49,27 @@ class DistributedSimulation {
   /// The same, of which each process brings a share of a world that all of them have whole.
   static DistributedSimulation of(Processes& processes, const World& whole, const EngineOptions& options);
 
+  /// Has the first process hold all spheres, too, and let the contacts happen to them that it is told of,
+  /// from now on. Cost: O(n), and at each contact.
+  void follow_in_first();
+  /// All spheres as they are, in the first process if it follows; otherwise null.
+  const World* whole() const { return whole_ ? &*whole_ : nullptr; }
+
+  /// When a contact or the thermostat last changed a velocity: in the first process if it follows.
+  const Time& last_change() const { return last_change_; }
+
+  /// As Simulation::set_thermostat. The first process follows.
+  void set_thermostat(Thermostat thermostat);
+  /// In the first process as it is; in others as it was when it was set.
+  const std::optional<Thermostat>& thermostat() const { return thermostat_; }
+  /// As Simulation::on_velocity_change; called in the first process.
+  void on_velocity_change(Function<void(const VelocityChange&)> listener) {
+    change_listener_ = std::move(listener);
+  }
+
   /// Runs until the first of the limits is reached; the number of steps is none of them, and the first
   /// process is asked whether to stop. If contacts are observed, the first process tells `observe` of all of
-  /// them, in order. Error: as for Simulation::run.
+  /// them, in order, when it has let them happen. Error: as for Simulation::run.
   RunStatus run(const RunLimits& limits, bool is_observed = false,
                 const Function<void(const Contact&)>& observe = {});
 
@@ -100,8 +120,8 @@ class DistributedSimulation {
   static DistributedSimulation load(Processes& processes, std::string_view saved,
                                     const std::vector<std::string>& blocks, std::size_t threads,
                                     const std::string& where);
-  /// Continues a simulation that all processes have loaded whole. Error: it has a thermostat or user data; as
-  /// for the constructor.
+  /// Continues a simulation that all processes have loaded whole. Error: as for the constructor; spheres grow
+  /// or have potentials of steps, or the box is sheared.
   static DistributedSimulation of(Processes& processes, const Simulation& whole, std::size_t threads);
   /// A simulation of one process from all blocks.
   static Simulation load_whole(std::string_view saved, const std::vector<std::string>& blocks,
@@ -111,6 +131,14 @@ class DistributedSimulation {
   struct State;
   DistributedSimulation(Processes& processes, State state, std::vector<Traveler> brought,
                         const EngineOptions& options);
+  RunStatus run_to_action(const RunLimits& limits, bool is_observed,
+                          const Function<void(const Contact&)>& observe);
+  void act(const Time& moment);
+  /// The value of the first process.
+  template <class T>
+  T of_first(const T& own) const {
+    return processes_.gather(own).front();
+  }
 
   Processes& processes_;
   World empty_;
@@ -122,6 +150,10 @@ class DistributedSimulation {
   Counters counters_before_;
   ContactSums before_;  // with all contacts before this process started
   ContactSums own_;     // counted here since then
+  std::optional<Thermostat> thermostat_;
+  Function<void(const VelocityChange&)> change_listener_;
+  std::optional<World> whole_;
+  Time last_change_;  // in the first process, if it follows: of a contact or by the thermostat
   std::unique_ptr<AnyDistributedEngine> engine_;
 };
 

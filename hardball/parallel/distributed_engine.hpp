@@ -23,6 +23,7 @@
 #include "hardball/parallel/traveler.hpp"
 #include "hardball/processes/processes.hpp"
 #include "hardball/world/curve_order.hpp"
+#include "hardball/world/velocity_edit.hpp"
 
 namespace hardball {
 
@@ -60,6 +61,16 @@ class DistributedEngine {
       collect(sums);
       throw;
     }
+  }
+
+  /// As Engine::change_velocities, of spheres by id, whichever process owns them. Precondition: all contacts
+  /// before `moment` have been handled, and none after it.
+  void change_velocities(const Time& moment, std::span<const VelocityEdit> edits) {
+    // Crossings may have been handled that happen in the same double, but later.
+    if (now() > moment) divide_anew(moment);
+    cluster_->each([&](Member& domain, std::size_t) {
+      for (const VelocityEdit& edit : edits) domain.change_velocity(edit.id, edit.velocity, moment);
+    });
   }
 
   /// The time up to which events have been handled.
@@ -251,18 +262,22 @@ class DistributedEngine {
     const bool becomes_deeper = load.has_shallow_halos() && deepen(division_, partition_, halo_);
     if (!becomes_deeper && !load.is_uneven(spheres_)) return;
     collect(sums);
+    divide_anew(cluster_->now(), &load);
+    clear_sums(sums);
+  }
+
+  // Precondition: nothing but crossings has been handled since `moment`.
+  void divide_anew(const Time& moment, const Load* load = nullptr) {
     counters_ = counters();
     ++counters_.rebuilds;
     windows_ = window_counters();
-    const Time now = cluster_->now();
     empty_.note_passage(last_passage());
     std::vector<Traveler> own;
     for_each_own([&](const World& world, Slot slot, std::uint32_t idle_contacts) {
       own.push_back({world.state_of(slot), idle_contacts});
     });
     cluster_.reset();
-    divide(std::move(own), now, &load);
-    clear_sums(sums);
+    divide(std::move(own), moment, load);
   }
 
   RunStatus run_windows(const RunLimits& limits, Sums& sums, bool is_observed, const Observe& observe) {

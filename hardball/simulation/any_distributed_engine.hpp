@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
@@ -16,6 +17,7 @@
 #include "hardball/processes/processes.hpp"
 #include "hardball/simulation/contact_sums.hpp"
 #include "hardball/simulation/engine_options.hpp"
+#include "hardball/world/velocity_edit.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -28,6 +30,7 @@ class AnyDistributedEngine {
   virtual ~AnyDistributedEngine() = default;
   virtual RunStatus run(const RunLimits& limits, ContactSums& sums, bool is_observed,
                         const Observe& observe) = 0;
+  virtual void change_velocities(const Time& moment, std::span<const VelocityEdit> edits) = 0;
   virtual Time now() const = 0;
   virtual Counters counters() const = 0;
   virtual WindowCounters window_counters() const = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "hardball/events/calendar_queue.hpp"
@@ -20,6 +21,9 @@ class DistributedEngineModel final : public AnyDistributedEngine {
   RunStatus run(const RunLimits& limits, ContactSums& sums, bool is_observed,
                 const Observe& observe) override {
     return engine_.run(limits, sums, is_observed, observe);
+  }
+  void change_velocities(const Time& moment, std::span<const VelocityEdit> edits) override {
+    engine_.change_velocities(moment, edits);
   }
   Time now() const override { return engine_.now(); }
   Counters counters() const override { return engine_.counters(); }

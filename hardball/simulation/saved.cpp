@@ -47,9 +47,9 @@ std::string Simulation::save() const {
 
 std::string saved_simulation(const SavedOptions& options, EngineKind engine, const World& world,
                              const Time& now, const ContactSums& sums, const Counters& counters,
-                             const CollapseGuard& collapse) {
-  return archived(options, engine, world, now, sums.hash, sums.tally, std::optional<Thermostat>(), UserData(),
-                  MergedSpheres(), UnusedFlag(), counters, collapse, SavedGrowth());
+                             const CollapseGuard& collapse, const std::optional<Thermostat>& thermostat) {
+  return archived(options, engine, world, now, sums.hash, sums.tally, thermostat, UserData(), MergedSpheres(),
+                  UnusedFlag(), counters, collapse, SavedGrowth());
 }
 
 Simulation Simulation::load(std::string_view bytes, const std::string& where) {

@@ -39,9 +39,9 @@ struct SavedOptions {
   }
 };
 
-/// What Simulation::save would return of a simulation with neither thermostat nor user data.
+/// What Simulation::save would return of a simulation without user data.
 std::string saved_simulation(const SavedOptions& options, EngineKind engine, const World& world,
                              const Time& now, const ContactSums& sums, const Counters& counters,
-                             const CollapseGuard& collapse);
+                             const CollapseGuard& collapse, const std::optional<Thermostat>& thermostat);
 
 }  // namespace hardball

@@ -27,6 +27,7 @@
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/velocity_change.hpp"
+#include "hardball/world/velocity_edit.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -34,12 +35,6 @@ namespace hardball {
 class Measures;
 class Tuner;
 class UserData;
-
-/// A new velocity for a sphere.
-struct VelocityEdit {
-  SphereId id = 0;
-  Vec3 velocity;  ///< [L/T]
-};
 
 /// Spheres in motion: the interface to Hardball.
 ///

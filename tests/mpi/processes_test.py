@@ -104,7 +104,7 @@ class Processes(unittest.TestCase):
                 self.assertEqual((directory / name).read_bytes(), (expected / name).read_bytes(), name)
         own, alone = (json.loads((each / "summary.json").read_text()) for each in (directory, expected))
         for key in ("spheres", "time", "event_log_hash", "energy", "momentum", "packing_fraction", "walls",
-                    "compressibility", "wall_pressure", "max_overlap", "species"):
+                    "compressibility", "wall_pressure", "max_overlap", "species", "thermostat"):
             self.assertEqual(own.get(key), alone.get(key), key)
         for key in ("collision", "wall"):
             self.assertEqual(own["events"][key], alone["events"][key])
@@ -161,6 +161,37 @@ class Processes(unittest.TestCase):
         self.assertEqual(list((directory / "measures").iterdir()), [quantities])
         self.assertEqual(len(quantities.read_text().splitlines()), 1)
 
+    def test_thermostats_act_as_in_one_process(self):
+        for kind in ('"rescale"\nevery = 0.3', '"andersen"\nrate = 0.05'):
+            scenario = self.scenario(GAS + f"[thermostat]\nkind = {kind}\ntemperature = 2.0\n"
+                                           '[measures]\nnames = ["pressure", "temperature"]\n')
+            expected = self.run_alone(scenario, "--overwrite")
+            directory = self.folder / "heated"
+            run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet"], 3)
+            self.expect_same(directory, expected)
+            self.expect_same_measures(directory, expected)
+            run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet", "--until", "1"], 2)
+            run(["resume", str(directory), "--until", "2"])
+            run(["resume", str(directory), "--until", "3"], 3)
+            self.expect_same(directory, expected)
+            self.expect_same_measures(directory, expected)
+
+    def test_files_that_need_all_spheres_are_those_of_one_process(self):
+        files = 'trajectory = ["vtp", "lammps", "gsd"]\nrecording = true\n'
+        thermostat = '[thermostat]\nkind = "andersen"\nrate = 0.05\ntemperature = 2.0\n'
+        for text in (GAS + files + thermostat, MIXTURE.replace('trajectory = ["lammps", "xyz.zst"]\n', files)):
+            scenario = self.scenario(text)
+            expected = self.run_alone(scenario, "--overwrite", "--until", "1.2")
+            run(["resume", str(expected), "--until", "2"])
+            directory = self.folder / "several"
+            run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet", "--until", "1.2"], 3)
+            run(["resume", str(directory), "--until", "2"], 2)
+            self.expect_same(directory, expected)
+            for path in expected.rglob("*"):
+                if path.suffix in (".gsd", ".vtp", ".pvd", ".hbr"):
+                    self.assertEqual((directory / path.relative_to(expected)).read_bytes(), path.read_bytes(),
+                                     path.name)
+
     def test_any_number_of_processes_resumes(self):
         scenario = self.scenario(GAS)
         expected = self.run_alone(scenario)
@@ -195,13 +226,9 @@ class Processes(unittest.TestCase):
 
     def test_what_processes_cannot_share_is_refused(self):
         scenario = self.scenario(GAS)
-        for change, name in (("output.recording=true", "recording"),
-                             ("thermostat.kind=\"rescale\"", "thermostat"),
-                             ("response.kind=\"merge\"", "merge"),
-                             ("output.trajectory=\"gsd\"", "snapshots")):
-            extra = ["--set", "thermostat.temperature=1.0", "--set", "thermostat.every=1.0"]
-            done = run(["run", scenario, "--out", str(self.folder / "refused"), "--set", change]
-                       + (extra if "thermostat" in change else []), 2, succeeds=False)
+        for change, name in (("growth.rate=0.1", "growth"), ("response.kind=\"merge\"", "merge")):
+            done = run(["run", scenario, "--out", str(self.folder / "refused"), "--set", change], 2,
+                       succeeds=False)
             messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
             self.assertEqual(len(messages), 1, done.stderr)
             self.assertIn(name, messages[0])

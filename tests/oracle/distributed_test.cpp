@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
@@ -171,6 +172,73 @@ TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
     further.run_until(until + 0.1);
     expect_same_state(simulation, further);
   });
+}
+
+// In pieces, one of which ends by the number of contacts; saved and loaded by others between.
+TEST(DistributedGas, HasTheThermostatOfOneProcess) {
+  const World world = support::make_gas({.count = 300, .packing_fraction = 0.2, .seed = 6});
+  const std::vector<ThermostatKind> kinds{Andersen(1.5, 0.7), Rescale(2, 0.03), Heating(0.5, 0.02)};
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    SCOPED_TRACE(name_of(kinds[kind]));
+    const Thermostat thermostat(kinds[kind], 7);
+    Simulation expected(world);
+    expected.set_thermostat(thermostat);
+    std::vector<VelocityChange> expected_changes;
+    expected.on_velocity_change([&](const VelocityChange& change) { expected_changes.push_back(change); });
+    const std::vector<RunLimits> pieces{{.until = Time(0.1)}, {.contacts = 200}, {.until = Time(0.5)}};
+    std::vector<Simulation> states;
+    for (const RunLimits& piece : pieces) {
+      expected.run(piece);
+      states.push_back(expected);
+    }
+    std::string saved;
+    std::vector<std::string> blocks;
+    std::vector<VelocityChange> changes;
+    const auto run = [&](DistributedSimulation simulation, std::size_t first, std::size_t last) {
+      simulation.on_velocity_change([&](const VelocityChange& change) { changes.push_back(change); });
+      for (std::size_t piece = first; piece <= last; ++piece) {
+        simulation.run(pieces[piece]);
+        expect_same_state(simulation, states[piece]);
+        ASSERT_EQ(simulation.sums().tally.last_change(), states[piece].tally().last_change());
+        if (!simulation.processes().is_first()) continue;
+        ASSERT_EQ(simulation.thermostat()->energy(), states[piece].thermostat()->energy());
+        ASSERT_EQ(simulation.thermostat()->events(), states[piece].thermostat()->events());
+      }
+      const std::string state = simulation.save();
+      const std::vector<std::vector<Traveler>> own = simulation.own_blocks();
+      if (!simulation.processes().is_first()) return;
+      saved = state;
+      blocks.assign(1, DistributedSimulation::saved_block(own.front()));
+    };
+    support::in_processes(3, [&](Processes& processes) {
+      DistributedSimulation simulation = DistributedSimulation::of(
+          processes, world, {.division = Division{.domains = 1, .halo = 1.3, .window = 0.5}});
+      simulation.set_thermostat(thermostat);
+      run(std::move(simulation), 0, 1);
+    });
+    Simulation whole = DistributedSimulation::load_whole(saved, blocks, "the saved state");
+    whole.run(pieces[2]);
+    EXPECT_EQ(whole.event_log_hash(), expected.event_log_hash());
+    EXPECT_EQ(whole.positions(), expected.positions());
+    const std::string before = saved;
+    const std::vector<std::string> blocks_before = blocks;
+    support::in_processes(2, [&](Processes& processes) {
+      run(DistributedSimulation::load(processes, before,
+                                      processes.is_first() ? blocks_before : std::vector<std::string>(), 1,
+                                      "state"),
+          2, 2);
+    });
+    ASSERT_EQ(changes.size(), expected_changes.size());
+    EXPECT_GT(changes.size(), 50U);
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+      ASSERT_EQ(changes[k].time, expected_changes[k].time);
+      ASSERT_EQ(changes[k].sphere, expected_changes[k].sphere);
+      ASSERT_EQ(changes[k].position, expected_changes[k].position);
+      ASSERT_EQ(changes[k].after, expected_changes[k].after);
+    }
+    support::in_processes(
+        2, [&](Processes& processes) { run(DistributedSimulation::of(processes, states[1], 1), 2, 2); });
+  }
 }
 
 // The first process is asked.
