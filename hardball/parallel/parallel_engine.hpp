@@ -410,31 +410,25 @@ class ParallelEngine {
       return deliver(sums, observer);
     }
     cluster_->open_window(end, most, static_cast<bool>(observer), true);
-    std::exception_ptr failure;
-    if (observer) {
-      try {
-        tell(observer);
-      } catch (...) {
-        failure = std::current_exception();
-      }
-    }
+    const std::exception_ptr failure = observer ? tell(observer) : nullptr;
     cluster_->commit_window();
     gathering_->is_done = false;
     if (failure) std::rethrow_exception(failure);
     return true;
   }
 
-  // Tells the observer of the contacts of the open window, without the world.
-  void tell(const ContactObserver& observer) {
+  // Tells the observer of the contacts of the open window, without the world. Returns what it has thrown.
+  std::exception_ptr tell(const ContactObserver& observer) {
+    std::exception_ptr failure;
     is_telling_ = true;
     try {
       MergedLog log = cluster_->merged_log();
       while (const Contact* contact = log.next()) observer.note(*contact);
     } catch (...) {
-      is_telling_ = false;
-      throw;
+      failure = std::current_exception();
     }
     is_telling_ = false;
+    return failure;
   }
 
   // Tells the observer of the contacts of the open window, with the world as it is after each.

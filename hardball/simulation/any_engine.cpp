@@ -61,14 +61,16 @@ const Choice& choice(EngineKind kind) {
   return *std::ranges::find(kChoices, kind, &Choice::kind);
 }
 
-// With fewer spheres, threads may gain nothing; with more, eight of them gain by half of their number.
+// With fewer spheres, or in two threads, a run with measures may gain nothing: docs/parallel.md.
 Division as_pays(std::size_t spheres) {
-  constexpr std::size_t kFewest = 1'000'000;
+  constexpr std::size_t kFewestSpheres = 1'000'000;
   constexpr std::size_t kSpheresPerThread = 125'000;
-  if (spheres < kFewest) return {};
+  constexpr std::size_t kFewestThreads = 4;
+  if (spheres < kFewestSpheres) return {};
   // Found out once: later the load of the machine contains that of this process.
   static const std::size_t free = free_processors();
   const std::size_t threads = std::min(free, spheres / kSpheresPerThread);
+  if (threads < kFewestThreads) return {};
   return {.domains = threads, .threads = threads};
 }
 
