@@ -56,20 +56,44 @@ inline void change(Simulation& simulation, Choices& choices) {
   simulation.change_velocity(sphere, choices.between(0.01, 100) * simulation.velocity(sphere));
 }
 
-/// Runs in pieces, with changes between them.
-inline void run_pieces(Simulation& simulation, double until, Choices choices) {
+/// What is told of a contact, and what the world says then, if it is asked.
+struct Told {
+  Time time;
+  SphereId first = 0;
+  std::uint32_t second = 0;
+  Vec3 velocity;
+  Vec3 position;
+
+  friend bool operator==(const Told&, const Told&) = default;
+};
+
+/// Runs in pieces, with changes between them, and returns what is told of contacts: to a log, to a listener,
+/// or nothing if there is neither.
+inline std::vector<Told> run_pieces(Simulation& simulation, double until, Choices choices) {
   constexpr std::size_t kPieces = 4;
+  std::vector<Told> told;
+  const auto tell = [&](const Contact& contact, const Vec3& position) {
+    told.push_back({contact.time, contact.first, contact.second, contact.after.first, position});
+  };
+  const std::size_t observer = choices.below(3);
+  if (observer == 1) simulation.log_contacts([&](const Contact& contact) { tell(contact, {}); });
+  if (observer == 2) {
+    simulation.on_contact([&](const Contact& contact) { tell(contact, simulation.position(contact.first)); });
+  }
   for (std::size_t piece = 0; piece < kPieces; ++piece) {
     simulation.run({.until = Time(until), .contacts = choices.below(64)});
     if (choices.below(2) == 0) change(simulation, choices);
   }
   simulation.run({.until = Time(until), .contacts = 30});
+  simulation.log_contacts(nullptr);
+  simulation.on_contact(nullptr);
+  return told;
 }
 
 /// Runs two simulations of one world alike. That they have not the same history is the fault.
 inline void expect_same(Simulation& expected, Simulation& other, double until, const Choices& choices) {
-  run_pieces(expected, until, choices);
-  run_pieces(other, until, choices);
+  const std::vector<Told> expected_told = run_pieces(expected, until, choices);
+  HARDBALL_CHECK(run_pieces(other, until, choices) == expected_told);
   HARDBALL_CHECK(other.event_log_hash() == expected.event_log_hash());
   HARDBALL_CHECK(other.now() == expected.now());
   HARDBALL_CHECK(other.positions() == expected.positions());
