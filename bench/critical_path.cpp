@@ -216,7 +216,7 @@ class CriticalPath {
   }
 
   static void open_window(Members& members) {
-    members.open_window(1e120, std::numeric_limits<std::uint64_t>::max(), false, true);
+    members.open_window(1e120, std::numeric_limits<std::uint64_t>::max(), {});
   }
   static void run_window(Members& members) {
     open_window(members);

@@ -219,7 +219,7 @@ void RunFiles::write_snapshot(std::size_t trajectory, const FrameParts& frame) {
 void RunFiles::note(const Contact& contact, const Simulation* simulation) {
   if (events_) events_->append(contact);
   if (!recording_) return;
-  if (contact.outcome == ContactOutcome::merge) return recording_->note(contact, simulation->world());
+  if (simulation) return recording_->note(contact, *simulation);
   recording_->note(contact);
 }
 

@@ -13,8 +13,8 @@
 
 namespace hardball::cli {
 
-/// The contents of a run's report at the current time of the simulation, which may not be that of its end.
-/// `options` are those of the command line.
+/// The contents of a run's report at the current time of the simulation. `options` are those of the command
+/// line; `is_complete`: whether the run has come to its end.
 report::Report run_report(const Options& options, const Scenario& scenario, const Simulation& simulation,
                           const Summary& summary, std::span<const Measurement> measurements,
                           bool is_complete);

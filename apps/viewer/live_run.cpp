@@ -34,10 +34,7 @@ LiveRun::LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording&
       recording_(&recording),
       until_(until),
       most_bytes_(most_bytes) {
-  simulation_.log_contacts([this](const Contact& contact) {
-    if (contact.outcome == ContactOutcome::merge) return writer_.note(contact, simulation_.world());
-    writer_.note(contact);
-  });
+  simulation_.log_contacts([this](const Contact& contact) { writer_.note(contact, simulation_); });
   simulation_.on_velocity_change(
       [this](const VelocityChange& change) { writer_.note(change, simulation_.world()); });
   simulation_.on_epoch([this](const Growth& epoch) { writer_.note(epoch); });

@@ -49,6 +49,8 @@ struct ContactObserver {
   bool looks_around = true;
 
   explicit operator bool() const { return static_cast<bool>(note); }
+  /// Whether somebody is told who may look around.
+  bool needs_world() const { return note && looks_around; }
 };
 
 /// Calls an observer with a contact, and returns whether the run continues: an observer that returns a bool

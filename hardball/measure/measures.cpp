@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <optional>
 #include <span>
 #include <string>
@@ -268,17 +267,7 @@ void Measures::sample(const World& world, const Time& now, const ForEach& for_ea
       entry.schedule.advance(now, contacts_);
     });
   });
-  std::vector<std::exception_ptr> failures(due.size());
-  for_each(due.size(), [&](std::size_t k) {
-    try {
-      due[k]();
-    } catch (...) {
-      failures[k] = std::current_exception();
-    }
-  });
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
+  for_each_or_throw(for_each, due.size(), [&](std::size_t k) { due[k](); });
 }
 
 void Measures::sample_the_rest(const World& world, const Time& now) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
+#include <vector>
 
 #include "hardball/memory/function.hpp"
 
@@ -10,6 +12,23 @@ namespace hardball {
 
 /// Calls work(k) for each k below a count, perhaps for several at once, and returns when all have returned.
 using ForEach = Function<void(std::size_t count, const Function<void(std::size_t)>& work)>;
+
+/// The same for work that may throw. Error: when all have returned, what the first of those that have thrown
+/// has thrown, by k.
+inline void for_each_or_throw(const ForEach& for_each, std::size_t count,
+                              const Function<void(std::size_t)>& work) {
+  std::vector<std::exception_ptr> failures(count);
+  for_each(count, [&](std::size_t k) {
+    try {
+      work(k);
+    } catch (...) {
+      failures[k] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+}
 
 /// One after the other.
 inline void one_by_one(std::size_t count, const Function<void(std::size_t)>& work) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <exception>
 #include <limits>
 #include <memory>
 #include <span>
@@ -37,6 +36,11 @@ template <class Engine, class Sums>
 class Cluster {
  public:
   using Member = Domain<Engine, Sums>;
+  /// What becomes of the contacts of a window.
+  struct Kept {
+    bool log = false;  ///< They are kept in a log.
+    bool sums = true;  ///< They are added up when it is committed.
+  };
 
   /// Takes over domains that together, with those that `exchange` reaches, hold a world as it is at `now`.
   Cluster(std::vector<std::unique_ptr<Member>> domains, const Time& now, const WindowSettings& settings,
@@ -94,14 +98,13 @@ class Cluster {
   bool is_complete() const { return is_complete_; }
 
   /// Opens a window that ends no later than `end` and has at most so many contacts, of which it returns the
-  /// number. Its contacts are kept in a log, or added up when it is committed, or both. Precondition: `end`
-  /// is finite and not before committed(); `most` is not zero; no window is open. Error: RunFailure, and what
-  /// engines throw; then no window is open.
-  std::uint64_t open_window(double end, std::uint64_t most, bool keeps_log, bool adds_up) {
+  /// number. Precondition: `end` is finite and not before committed(); `most` is not zero; no window is open.
+  /// Error: RunFailure, and what engines throw; then no window is open.
+  std::uint64_t open_window(double end, std::uint64_t most, const Kept& kept) {
     watch_if_due();
     const double begin = committed_;
     const bool may_be_cut = static_cast<double>(most) < 4 * settings_.contacts;
-    keep_logs(keeps_log || may_be_cut, adds_up);
+    keep({.log = kept.log || may_be_cut, .sums = kept.sums});
     // Few contacts need only a part of a window.
     const double part = std::min(1.0, static_cast<double>(most) / settings_.contacts);
     wanted_ = std::max(part * window_, least_window());
@@ -118,7 +121,7 @@ class Cluster {
       const double cut = is_wrong ? double_before(found.bad) : is_cut ? time_before(most) : until;
       undo();
       if (is_wrong) note_failure(until - begin);
-      if (!is_cut) keep_logs(true, adds_up);
+      if (!is_cut) keep({.log = true, .sums = kept.sums});
       if (cut <= begin) {
         step(std::min(end, horizon_), true);
         return open_contacts();
@@ -146,7 +149,7 @@ class Cluster {
     const double end = open_.end.high;
     undo();
     while (contacts > 0) {
-      contacts -= open_window(end, contacts, true, false);
+      contacts -= open_window(end, contacts, {.log = true, .sums = false});
       commit_window();
     }
   }
@@ -169,19 +172,7 @@ class Cluster {
   /// Works on all domains, on several at once. Error: of the first that throws.
   template <class Work>
   void each(Work&& work) {
-    for_each_(size(), [&](std::size_t domain) {
-      try {
-        work(*domains_[domain], domain);
-      } catch (...) {
-        failures_[domain] = std::current_exception();
-      }
-    });
-    std::exception_ptr first;
-    for (std::exception_ptr& failure : failures_) {
-      if (failure && !first) first = failure;
-      failure = nullptr;
-    }
-    if (first) std::rethrow_exception(first);
+    for_each_or_throw(for_each_, size(), [&](std::size_t domain) { work(*domains_[domain], domain); });
   }
 
  private:
@@ -207,7 +198,6 @@ class Cluster {
   void connect() {
     bad_.resize(size());
     done_.resize(size());
-    failures_.resize(size());
     peeked_.resize(size());
     std::vector<Exchange::Member> members;
     for (const auto& domain : domains_) {
@@ -220,9 +210,9 @@ class Cluster {
 
   Processes& processes() const { return exchange_.processes(); }
 
-  void keep_logs(bool are_kept, bool are_summed) {
-    for (auto& domain : domains_) domain->keep_log(are_kept, are_summed);
-    are_logs_kept_ = are_kept;
+  void keep(const Kept& kept) {
+    for (auto& domain : domains_) domain->keep_log(kept.log, kept.sums);
+    are_logs_kept_ = kept.log;
   }
 
   // Of a domain in a window. If it has many more than are aimed at, the window is much too long: the spheres
@@ -397,7 +387,6 @@ class Cluster {
   std::vector<std::unique_ptr<Member>> domains_;
   Exchange exchange_;
   std::vector<double> bad_;
-  std::vector<std::exception_ptr> failures_;
   std::vector<Event> peeked_;
   WindowSettings settings_;
   ForEach for_each_;

@@ -126,7 +126,7 @@ class DistributedEngine {
   // As late as a moment may be.
   static constexpr double kLastMoment = 1e120;
 
-  ForEach for_each() const {
+  ForEach by_team() const {
     return [team = team_.get()](std::size_t count, const Function<void(std::size_t)>& work) {
       team->for_each(count, work);
     };
@@ -158,7 +158,7 @@ class DistributedEngine {
     for (Slot slot = 0; slot < world.size(); ++slot)
       owners.push_back(partition_.domain_at(world.position(slot, now)));
     std::vector<std::unique_ptr<Member>> members(domains.each);
-    for_each()(members.size(), [&](std::size_t k) {
+    by_team()(members.size(), [&](std::size_t k) {
       const auto make = [&](World part, const PhaseSettings& phase) {
         return DomainEngine(std::move(part), Phase(phase), now, phase.instructions);
       };
@@ -166,7 +166,7 @@ class DistributedEngine {
       members[k] = std::make_unique<Member>(world, owners, now, partition_, number, halo_, phase_, make);
       members[k]->take_over(aftermath);
     });
-    cluster_ = std::make_unique<Domains>(std::move(members), now, size.windows(division_), for_each(),
+    cluster_ = std::make_unique<Domains>(std::move(members), now, size.windows(division_), by_team(),
                                          Exchange(processes_, domains));
   }
 
@@ -287,7 +287,7 @@ class DistributedEngine {
       const bool has_end = std::isfinite(limits.until.high);
       if (!has_end && !has_events()) return RunStatus::time_reached;
       const double end = has_end ? limits.until.high : kLastMoment;
-      contacts -= cluster_->open_window(end, contacts, is_observed, true);
+      contacts -= cluster_->open_window(end, contacts, {.log = is_observed});
       if (is_observed) deliver(observe);
       cluster_->commit_window();
       if (cluster_->committed() == end && cluster_->is_complete()) return RunStatus::time_reached;

@@ -91,7 +91,8 @@ class ParallelEngine {
   static bool supports(const World& world, double length) {
     return Phase::supports(world, length) && !world.interactions().may_merge();
   }
-  /// See AnyEngine.
+  /// Calls work(k) for each k below `count`, in all threads, and returns when all have returned.
+  /// Precondition: `work` does not throw.
   void for_each(std::size_t count, const Function<void(std::size_t)>& work) {
     const ThreadTeam::Pinned pinned(*team_);
     team_->for_each(count, work);
@@ -131,7 +132,7 @@ class ParallelEngine {
   RunStatus run(const RunLimits& limits, Sums& sums, const ContactObserver& observer) {
     const ThreadTeam::Pinned pinned(*team_);
     keep_for_rewind();
-    if (observer && observer.looks_around) return run_windows(limits, sums, observer);
+    if (observer.needs_world()) return run_windows(limits, sums, observer);
     clear_sums(sums);
     try {
       const RunStatus status = run_windows(limits, sums, observer);
@@ -365,7 +366,6 @@ class ParallelEngine {
   }
 
   RunStatus run_windows(const RunLimits& limits, Sums& sums, const ContactObserver& observer) {
-    const bool looks_around = observer && observer.looks_around;
     std::uint64_t contacts = limits.contacts;
     std::uint64_t steps = limits.steps;
     while (contacts > 0) {
@@ -382,7 +382,7 @@ class ParallelEngine {
       if (!continues) return RunStatus::observer_stopped;
       if (!is_outdated_ && cluster_->committed() == end && cluster_->is_complete())
         return RunStatus::time_reached;
-      if (!is_outdated_) review_division(sums, !looks_around);
+      if (!is_outdated_) review_division(sums, !observer.needs_world());
     }
     return RunStatus::contacts_reached;
   }
@@ -404,12 +404,12 @@ class ParallelEngine {
 
   // Runs through one window; false if the observer has stopped the run.
   bool run_window(double end, std::uint64_t most, Sums& sums, const ContactObserver& observer) {
-    if (observer && observer.looks_around) {
+    if (observer.needs_world()) {
       gather();
-      cluster_->open_window(end, most, true, false);
+      cluster_->open_window(end, most, {.log = true, .sums = false});
       return deliver(sums, observer);
     }
-    cluster_->open_window(end, most, static_cast<bool>(observer), true);
+    cluster_->open_window(end, most, {.log = static_cast<bool>(observer)});
     const std::exception_ptr failure = observer ? tell(observer) : nullptr;
     cluster_->commit_window();
     gathering_->is_done = false;

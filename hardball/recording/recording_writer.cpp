@@ -11,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/crc32.hpp"
 #include "hardball/io/little_endian.hpp"
+#include "hardball/simulation/simulation.hpp"
 
 namespace hardball {
 namespace {
@@ -209,6 +210,11 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
   merger.second_spin = {};
   merger.merged = {world.base_radius(merged), world.mass(merged), world.inertia_factor(merged)};
   add(merger);
+}
+
+void RecordingWriter::note(const Contact& contact, const Simulation& simulation) {
+  if (contact.outcome == ContactOutcome::merge) return note(contact, simulation.world());
+  note(contact);
 }
 
 // What a contact tells by itself.

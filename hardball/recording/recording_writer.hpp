@@ -18,6 +18,8 @@
 
 namespace hardball {
 
+class Simulation;
+
 /// Writes a recording: an observer notified of every contact, and of every other change of a velocity.
 ///
 /// The file always ends with a complete chunk. A chunk is closed when it holds as many contacts as there are
@@ -49,6 +51,9 @@ class HARDBALL_EXPORT RecordingWriter {
   void note(const Contact& contact, const World& world);
   /// The same of a contact in which no spheres merge.
   void note(const Contact& contact);
+  /// The same of a contact of a simulation, which is asked for the world only if spheres merge: for
+  /// Simulation::log_contacts.
+  void note(const Contact& contact, const Simulation& simulation);
   void note(const VelocityChange& change, const World& world);
   /// An epoch of growth has begun. Precondition: likewise; the header says that spheres may grow.
   void note(const Growth& epoch);

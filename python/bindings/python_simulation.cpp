@@ -288,10 +288,7 @@ void PythonSimulation::record_ahead(const std::filesystem::path& path, double en
     RecordingHeader header = recording_header(copy);
     if (std::isfinite(end)) header.until = end;
     writer.emplace(path, header, copy.world());
-    copy.log_contacts([&](const Contact& contact) {
-      if (contact.outcome == ContactOutcome::merge) return writer->note(contact, copy.world());
-      writer->note(contact);
-    });
+    copy.log_contacts([&](const Contact& contact) { writer->note(contact, copy); });
     copy.on_velocity_change([&](const VelocityChange& change) { writer->note(change, copy.world()); });
     copy.on_epoch([&](const Growth& epoch) { writer->note(epoch); });
   };
