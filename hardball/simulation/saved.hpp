@@ -11,6 +11,7 @@
 #include "hardball/interaction/response_table.hpp"
 #include "hardball/simulation/contact_sums.hpp"
 #include "hardball/simulation/engine_options.hpp"
+#include "hardball/thermostats/thermostat.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

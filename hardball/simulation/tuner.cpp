@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "hardball/simulation/engine_makers.hpp"
 #include "hardball/tuning/size_classes.hpp"
 #include "hardball/world/curve_order.hpp"
 
