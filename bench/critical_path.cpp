@@ -146,7 +146,7 @@ class CriticalPath {
     const ForEach in_turn = [](std::size_t domains, const Function<void(std::size_t)>& work) {
       for (std::size_t domain = 0; domain < domains; ++domain) work(domain);
     };
-    Members members(make_members(count), engine_.now(), window_settings(), in_turn);
+    Members members(make_members(count), engine_.now(), window_settings(count), in_turn);
     for (std::size_t k = 0; k < count; ++k) members.domain(k).clear_sums(sums_.part());
     for (std::size_t window = 0; window < options_.warm_up; ++window) run_window(members);
     // All frontiers are watched now, and not again for many windows.
@@ -190,7 +190,9 @@ class CriticalPath {
     return size;
   }
   Halo halo() const { return system_size().halo(options_.division); }
-  WindowSettings window_settings() const { return system_size().windows(options_.division); }
+  WindowSettings window_settings(std::size_t domains) const {
+    return system_size().windows(options_.division, domains);
+  }
 
   std::vector<std::unique_ptr<typename Members::Member>> make_members(std::size_t count) const {
     const World& world = engine_.world();
@@ -370,7 +372,7 @@ class CriticalPath {
   double windows_per_watch(double length) const {
     constexpr double kFewest = 64;
     constexpr double kMost = 1024;
-    return std::clamp(window_settings().flight / length, kFewest, kMost);
+    return std::clamp(window_settings(1).flight / length, kFewest, kMost);
   }
 
   // The time of one engine for each window. Error: its contacts are others than the domains'.

@@ -166,8 +166,8 @@ class DistributedEngine {
       members[k] = std::make_unique<Member>(world, owners, now, partition_, number, halo_, phase_, make);
       members[k]->take_over(aftermath);
     });
-    cluster_ = std::make_unique<Domains>(std::move(members), now, size.windows(division_), by_team(),
-                                         Exchange(processes_, domains));
+    cluster_ = std::make_unique<Domains>(std::move(members), now, size.windows(division_, partition_.size()),
+                                         by_team(), Exchange(processes_, domains));
   }
 
   Vec3 position_of(const Traveler& traveler, const Time& now) const {

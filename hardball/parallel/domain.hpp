@@ -78,12 +78,11 @@ class Domain {
   const Outbox& outbox_to(DomainNumber neighbor) const { return outboxes_[neighbor_number(neighbor)]; }
 
   /// Of the contacts that count, in the windows committed since `clear_sums`, if they are added up.
-  const Sums& sums() const { return sums_; }
+  const Sums& sums() const { return is_adding_ ? sums_before_ : sums_; }
   /// Begins to add up with empty sums.
   void clear_sums(const Sums& empty) {
-    empty_sums_ = empty;
     sums_ = empty;
-    window_sums_ = empty;
+    is_adding_ = false;
   }
   /// Of this window, the contacts of own spheres, if they are kept.
   std::span<const LoggedContact> log() const { return log_; }
@@ -167,6 +166,7 @@ class Domain {
   /// Goes back to the start of the window.
   void undo() {
     engine_.rewind_to_begin();
+    subtract_window();
     // What they were set for may not happen again, or something else sooner.
     for (const Frontier::Alarm& alarm : taken_) frontier_.set_alarm({begin_.high, alarm.slot, kNever});
     taken_.clear();
@@ -283,11 +283,20 @@ class Domain {
     engine_.begin_journal(begin_);
     frontier_.begin(begin_.high);
     for (Outbox& outbox : outboxes_) outbox.clear();
-    if (is_summed_ && counted_.contacts() > 0) window_sums_ = empty_sums_;
+    // One before may have thrown.
+    subtract_window();
+    if (is_summed_) sums_before_ = sums_;
+    is_adding_ = is_summed_;
     counted_ = {};
     failed_at_ = std::numeric_limits<double>::infinity();
     log_.clear();
     ghost_records_.clear();
+  }
+
+  // From the sums: a copy takes less than it would to add up each window by itself.
+  void subtract_window() {
+    if (is_adding_) std::swap(sums_, sums_before_);
+    is_adding_ = false;
   }
 
   HARDBALL_ALWAYS_INLINE void note(const Contact& contact) {
@@ -296,7 +305,7 @@ class Domain {
     const bool owns_first = residents_.is_own(participants.first);
     const bool owns_second = is_collision && residents_.is_own(participants.second);
     if (owns_first) {
-      if (is_summed_) window_sums_.note(contact);
+      if (is_summed_) sums_.note(contact);
       ++(is_collision ? counted_.collision : counted_.wall);
     }
     if (is_log_kept_ && (owns_first || owns_second)) log(contact, owns_first, owns_second);
@@ -463,10 +472,10 @@ class Domain {
   Time begin_;                    // of the window
   Engine engine_;
   Comparison comparison_;
-  Sums sums_;
-  Sums empty_sums_;
+  Sums sums_;               // with those of the window, while it is open
+  Sums sums_before_;        // it
+  bool is_adding_ = false;  // such a window is open
   // Of the window:
-  Sums window_sums_;
   Counters counted_;
   double failed_at_ = std::numeric_limits<double>::infinity();  // where the run ended too early [T]
   bool is_log_kept_ = false;

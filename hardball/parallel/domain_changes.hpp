@@ -12,7 +12,7 @@ template <class Engine, class Sums>
 void Domain<Engine, Sums>::commit(const Time& moment) {
   engine_.end_journal();
   begin_ = later(moment, engine_.now());
-  if (is_summed_ && counted_.contacts() > 0) sums_.add(window_sums_);
+  is_adding_ = false;
   keep_own_counts();
   for (Outbox& outbox : outboxes_) outbox.clear();
   // Those of a contact that is executed alone were set after the others were taken.

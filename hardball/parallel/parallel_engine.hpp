@@ -295,7 +295,8 @@ class ParallelEngine {
       domains[number] = std::make_unique<typename Domains::Member>(
           world_, owners, now, partition_, static_cast<DomainNumber>(number), halo_, phase_, make);
     });
-    cluster_ = std::make_unique<Domains>(std::move(domains), now, size.windows(settings_), by_team());
+    cluster_ = std::make_unique<Domains>(std::move(domains), now, size.windows(settings_, partition_.size()),
+                                         by_team());
     take_over(aftermath_);
     is_outdated_ = false;
     gathering_->is_done = true;
