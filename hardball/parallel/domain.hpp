@@ -166,7 +166,6 @@ class Domain {
   /// Goes back to the start of the window.
   void undo() {
     engine_.rewind_to_begin();
-    subtract_window();
     // What they were set for may not happen again, or something else sooner.
     for (const Frontier::Alarm& alarm : taken_) frontier_.set_alarm({begin_.high, alarm.slot, kNever});
     taken_.clear();
@@ -283,20 +282,16 @@ class Domain {
     engine_.begin_journal(begin_);
     frontier_.begin(begin_.high);
     for (Outbox& outbox : outboxes_) outbox.clear();
-    // One before may have thrown.
-    subtract_window();
-    if (is_summed_) sums_before_ = sums_;
+    if (is_adding_) {
+      sums_ = sums_before_;  // the last one was undone, or threw
+    } else if (is_summed_) {
+      sums_before_ = sums_;
+    }
     is_adding_ = is_summed_;
     counted_ = {};
     failed_at_ = std::numeric_limits<double>::infinity();
     log_.clear();
     ghost_records_.clear();
-  }
-
-  // From the sums: a copy takes less than it would to add up each window by itself.
-  void subtract_window() {
-    if (is_adding_) std::swap(sums_, sums_before_);
-    is_adding_ = false;
   }
 
   HARDBALL_ALWAYS_INLINE void note(const Contact& contact) {
@@ -472,9 +467,10 @@ class Domain {
   Time begin_;                    // of the window
   Engine engine_;
   Comparison comparison_;
-  Sums sums_;               // with those of the window, while it is open
-  Sums sums_before_;        // it
-  bool is_adding_ = false;  // such a window is open
+  Sums sums_;
+  // While a window adds to them, what they were before: a copy takes less than to add up each window apart.
+  Sums sums_before_;
+  bool is_adding_ = false;
   // Of the window:
   Counters counted_;
   double failed_at_ = std::numeric_limits<double>::infinity();  // where the run ended too early [T]
