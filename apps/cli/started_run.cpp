@@ -216,7 +216,7 @@ StartedRun resumed_run(const std::filesystem::path& directory, const std::filesy
   if (options.until) started.until = options.until;
   started.json = options.json;
   started.quiet = options.quiet;
-  const Scenario scenario = changed_by(started, parse_scenario(state.text, state.name, started.overrides));
+  Scenario scenario = changed_by(started, parse_scenario(state.text, state.name, started.overrides));
   const auto begin = Clock::now();
   Simulation simulation = loaded(sections, checkpoint);
   set_threads(simulation, options);
@@ -230,8 +230,10 @@ StartedRun resumed_run(const std::filesystem::path& directory, const std::filesy
   FilesState files;
   restored("measures", measures);
   restored("files", files);
-  StartedRun run{std::move(started),  scenario,     std::move(simulation), std::move(measures), std::nullopt,
-                 state.next_snapshot, state.seconds};
+  // Several processes may have begun it without those that one would have by default.
+  if (!measures.is_any_wanted()) scenario.measures.names.clear();
+  StartedRun run{std::move(started), std::move(scenario), std::move(simulation), std::move(measures),
+                 std::nullopt,       state.next_snapshot, state.seconds};
   run.files.emplace(directory, run.scenario, files);
   // The current one may be later than what the files will hold.
   const std::filesystem::path current = directory / kCheckpoint;

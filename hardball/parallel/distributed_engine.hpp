@@ -126,12 +126,6 @@ class DistributedEngine {
   // As late as a moment may be.
   static constexpr double kLastMoment = 1e120;
 
-  ForEach by_team() const {
-    return [team = team_.get()](std::size_t count, const Function<void(std::size_t)>& work) {
-      team->for_each(count, work);
-    };
-  }
-
   void divide(std::vector<Traveler> brought, const Time& now, const Load* load = nullptr) {
     const SystemSize size = size_of(brought, now);
     spheres_ = size.spheres;
@@ -158,7 +152,7 @@ class DistributedEngine {
     for (Slot slot = 0; slot < world.size(); ++slot)
       owners.push_back(partition_.domain_at(world.position(slot, now)));
     std::vector<std::unique_ptr<Member>> members(domains.each);
-    by_team()(members.size(), [&](std::size_t k) {
+    team_->for_each(members.size(), [&](std::size_t k) {
       const auto make = [&](World part, const PhaseSettings& phase) {
         return DomainEngine(std::move(part), Phase(phase), now, phase.instructions);
       };
@@ -167,7 +161,7 @@ class DistributedEngine {
       members[k]->take_over(aftermath);
     });
     cluster_ = std::make_unique<Domains>(std::move(members), now, size.windows(division_, partition_.size()),
-                                         by_team(), Exchange(processes_, domains));
+                                         team_->as_function(), Exchange(processes_, domains));
   }
 
   Vec3 position_of(const Traveler& traveler, const Time& now) const {

@@ -48,7 +48,7 @@ class ParallelEngine {
         phase_(other.phase_),
         world_(other.world_),
         team_(new_team()),
-        cluster_(std::make_unique<Domains>(*other.cluster_, by_team())),
+        cluster_(std::make_unique<Domains>(*other.cluster_, team_->as_function())),
         halo_(other.halo_),
         partition_(other.partition_),
         next_review_(other.next_review_),
@@ -269,11 +269,6 @@ class ParallelEngine {
   static constexpr double kLastMoment = 1e120;
 
   std::unique_ptr<ThreadTeam> new_team() const { return std::make_unique<ThreadTeam>(settings_.threads); }
-  ForEach by_team() const {
-    return [team = team_.get()](std::size_t count, const Function<void(std::size_t)>& work) {
-      team->for_each(count, work);
-    };
-  }
 
   void divide(const Time& now) {
     SystemSize size;
@@ -296,7 +291,7 @@ class ParallelEngine {
           world_, owners, now, partition_, static_cast<DomainNumber>(number), halo_, phase_, make);
     });
     cluster_ = std::make_unique<Domains>(std::move(domains), now, size.windows(settings_, partition_.size()),
-                                         by_team());
+                                         team_->as_function());
     take_over(aftermath_);
     is_outdated_ = false;
     gathering_->is_done = true;

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "hardball/memory/for_each.hpp"
 #include "hardball/memory/function.hpp"
 
 namespace hardball {
@@ -28,6 +29,10 @@ class ThreadTeam {
   /// Calls work(k) for each k below `count`, and returns when all have returned. Precondition: `work` does
   /// not throw.
   void for_each(std::size_t count, const Function<void(std::size_t)>& work);
+  /// The same as a function, which the team must outlive.
+  ForEach as_function() {
+    return [this](std::size_t count, const Function<void(std::size_t)>& work) { for_each(count, work); };
+  }
 
   /// Keeps the calling thread on the processors of the first thread, for as long as this exists.
   class Pinned {
