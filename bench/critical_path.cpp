@@ -256,8 +256,8 @@ class CriticalPath {
     std::uint64_t hash = 0;
   };
 
-  // The first windows of copies let their arrays grow.
-  static constexpr std::size_t kUnmeasured = 2;
+  // When the first spheres arrive in a copy, its arrays grow, and are copied.
+  static constexpr std::size_t kUnmeasured = 12;
   std::size_t windows() const { return kUnmeasured + options_.windows; }
   double moment_before_measured(const Stretch& stretch) const { return stretch.windows[kUnmeasured - 1].end; }
 

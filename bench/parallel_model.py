@@ -42,9 +42,11 @@ Row = dict[str, Any]
 PACKING_FRACTIONS = [0.02, 0.25, 0.49]
 HALO = 1.75  # diameters
 SLACK = 0.5  # diameters, in which spheres that were ghosts are ghosts still
-# Contacts for each sphere in a window, and up to twice as many while a domain has fewer contacts than this.
+# Contacts for each sphere in a window, and up to twice as many while a domain has fewer contacts than this, and spheres
+# fly no farther than so many diameters.
 WINDOW = 0.02
 CONTACTS_OF_DOMAIN = 256
+SHORT_FLIGHT = 0.1
 # With windows of .02, .04, .08 and .16, 2, 11, 64 and 376 of 1,000 failed (256,000 spheres at .25 in 64 domains, halos
 # of 2 diameters).
 FAILURES_BY_WINDOW = 2.5  # the power with which they grow
@@ -85,7 +87,7 @@ def commands() -> Iterator[list[str]]:
         gas = ["--packing-fraction", str(fraction), "--equilibration", "3"]
         for spheres, domains in TIMED:
             yield [*gas, "--spheres", str(spheres), "--domains", domains, "--warm-up", WARM_UP[fraction]] + [
-                "--windows", "10", "--repetitions", "5",
+                "--windows", "10", "--repetitions", "3",
             ]  # fmt: skip
         for halo, seed in COUNTED:
             yield [*gas, "--spheres", "256000", "--domains", "64", "--halo", str(halo), "--seed", str(seed)] + [
@@ -201,19 +203,24 @@ def contacts(row: Row) -> float:
     return row["contacts"] / row["windows"] / row["domains"]
 
 
-def contacts_in_window(spheres: float, domains: int) -> float:
-    """Of the own spheres of a domain, as SystemSize::windows has it."""
-    usual = WINDOW / 2 * spheres / domains
-    return min(max(CONTACTS_OF_DOMAIN, usual), 2 * usual)
+def mean_free_path(packing_fraction: float) -> float:
+    """In diameters, by Enskog, with the contact value of Carnahan and Starling."""
+    at_contact = (1 - packing_fraction / 2) / (1 - packing_fraction) ** 3
+    return 1 / (6 * math.sqrt(2) * packing_fraction * at_contact)
 
 
-def longer_fail_more(row: Row) -> float:
-    return failures_by_window(contacts(row), row["spheres"], row["domains"])
+def contacts_in_window(blocks: Blocks) -> float:
+    """Of the own spheres of a domain, as Cluster has it."""
+    own = blocks.spheres / blocks.domains
+    usual = WINDOW / 2 * own
+    more = min(max(CONTACTS_OF_DOMAIN, usual), 2 * usual)
+    short = SHORT_FLIGHT / mean_free_path(blocks.packing_fraction) / 2 * own
+    return min(max(short, usual), more)
 
 
-def failures_by_window(own: float, spheres: float, domains: int) -> float:
+def failures_by_window(own: float, blocks: Blocks) -> float:
     """How many times as many windows fail that have so many contacts as of those of the usual length."""
-    return float((own / (WINDOW / 2 * spheres / domains)) ** FAILURES_BY_WINDOW)
+    return float((own / (WINDOW / 2 * blocks.spheres / blocks.domains)) ** FAILURES_BY_WINDOW)
 
 
 def redundancy(row: Row) -> float:
@@ -244,13 +251,13 @@ class Model:
         self, blocks: Blocks, halo: float, network: Network, is_cautious: bool = False, may_fail: bool = True
     ) -> Row:
         fraction = blocks.packing_fraction
-        own = contacts_in_window(blocks.spheres, blocks.domains)
+        own = contacts_in_window(blocks)
         # In the long run spheres that have left the halo fill its slack by half.
         ghosts = self.ghost_contacts * blocks.ghosts(halo + SLACK / 2)
         work = self.window_seconds(fraction, own, ghosts, blocks.neighbors(), self.contact[fraction])
         balanced = work * self.imbalance_of(own, ghosts, blocks.domains)
         failed = self.failures[fraction].at(halo, is_cautious) * blocks.area() if may_fail else 0
-        failed *= failures_by_window(own, blocks.spheres, blocks.domains)
+        failed *= failures_by_window(own, blocks)
         computing = balanced * (1 + failed * (1 + self.undo))
         sent = self.sent[fraction] * ghosts * own
         waiting = network.seconds(blocks.domains, blocks.neighbors(), sent) * (1 + failed)
@@ -352,7 +359,8 @@ class FailureRate:
 def failure_rate(rows: Sequence[Row], fraction: float) -> FailureRate:
     counted = [row for row in rows if "sum_seconds" not in row and row["packing_fraction"] == fraction]
     places = np.array([row["halo"] - HALO for row in counted])
-    exposures = np.array([row["windows"] * blocks_of(row).area() * longer_fail_more(row) for row in counted])
+    areas = np.array([blocks_of(row).area() * failures_by_window(contacts(row), blocks_of(row)) for row in counted])
+    exposures = areas * np.array([row["windows"] for row in counted])
     failed = np.array([row["failed"] for row in counted])
 
     def of_decay(decay: float) -> tuple[float, tuple[float, float]]:

@@ -375,11 +375,15 @@ class Cluster {
   // Lets the next window have as many contacts as are aimed at.
   void adapt(double length, std::uint64_t contacts) {
     constexpr double kMost = 1.5;
+    // Of the flight by a diameter: beyond that, more windows fail because spheres fly out of the halos.
+    constexpr double kShortFlight = 0.1;
     const double most = kMost * window_;
     if (contacts == 0) {
       if (length >= 0.5 * wanted_) window_ = most;  // unless it was cut short
     } else {
-      const double wanted = length * settings_.contacts / static_cast<double>(contacts);
+      const double per_contact = length / static_cast<double>(contacts);
+      const double wanted = std::clamp(kShortFlight * settings_.flight, per_contact * settings_.contacts,
+                                       per_contact * settings_.more_contacts);
       window_ = std::max(std::clamp(wanted, window_ / kMost, most), least_window());
     }
   }

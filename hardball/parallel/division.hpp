@@ -12,7 +12,7 @@ struct Division {
   std::size_t threads = 1;
   double halo = 1.75;           ///< Depth of halos, in diameters of the largest sphere; above one [1].
   double window = 0.02;         ///< Contacts for each sphere in a window, two spheres being in each [1]; up
-                                ///< to twice as many where domains are small.
+                                ///< to twice as many in small domains.
   double first_window = 0.001;  ///< The first window: so many radii at the mean speed [1].
 };
 

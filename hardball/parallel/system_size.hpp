@@ -33,18 +33,19 @@ struct SystemSize {
   }
 
   Halo halo(const Division& division) const { return {division.halo * contact, 0.5 * contact, contact}; }
-  /// For so many domains. Small domains have longer windows: in a few contacts neither does what a window
-  /// costs by itself pay, nor are all domains done at the same time. But longer ones fail more often.
+  /// For so many domains. Small ones have longer windows: in a few contacts neither does what a window costs
+  /// by itself pay, nor are all domains done at the same time. But longer windows fail more often.
   WindowSettings windows(const Division& division, std::size_t domains) const {
     constexpr double kContactsOfDomain = 256;
     constexpr double kLongest = 2;
     const auto count = static_cast<double>(std::max<std::uint64_t>(spheres, 1));
     const double usual = division.window * count / 2;
     const double wanted = kContactsOfDomain * static_cast<double>(domains);
-    const double contacts = std::max(1.0, std::clamp(wanted, usual, kLongest * usual));
+    const double more = std::clamp(wanted, usual, kLongest * usual);
     const double mean_speed = speeds > 0 ? speeds / count : 1;
     const double radius = contact > 0 ? contact / 2 : 1;
-    return {contacts, division.first_window * radius / mean_speed, 2 * radius / mean_speed};
+    return {std::max(1.0, usual), std::max(1.0, more), division.first_window * radius / mean_speed,
+            2 * radius / mean_speed};
   }
 };
 
