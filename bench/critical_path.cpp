@@ -149,7 +149,9 @@ class CriticalPath {
     Members members(make_members(count), engine_.now(), window_settings(count), in_turn);
     for (std::size_t k = 0; k < count; ++k) members.domain(k).clear_sums(sums_.part());
     for (std::size_t window = 0; window < options_.warm_up; ++window) run_window(members);
-    // All frontiers are watched now, and not again for many windows.
+    // All frontiers are watched now, and not again: that cannot be repeated alone.
+    if (options_.repetitions > 0 && static_cast<double>(windows()) >= kFewestPerWatch)
+      throw Error("too many windows to be timed", "--windows", "give 50 at most");
     members.watch_anew();
     run_window(members);
     note_size(members, json);
@@ -369,10 +371,10 @@ class CriticalPath {
   }
 
   // As Cluster has it.
+  static constexpr double kFewestPerWatch = 64;
   double windows_per_watch(double length) const {
-    constexpr double kFewest = 64;
     constexpr double kMost = 1024;
-    return std::clamp(window_settings(1).flight / length, kFewest, kMost);
+    return std::clamp(window_settings(1).flight / length, kFewestPerWatch, kMost);
   }
 
   // The time of one engine for each window. Error: its contacts are others than the domains'.
