@@ -232,6 +232,22 @@ TEST(Threads, CountTheirWindows) {
   EXPECT_EQ(simulation.windows(), later);
 }
 
+// A window has .02 contacts for each sphere, two spheres being in each, or twice as many where domains are
+// small and spheres fly only a little way meanwhile.
+TEST(Threads, HaveLongerWindowsWhereDomainsAreSmallAndSpheresAreDense) {
+  const auto contacts_in_window = [](double packing_fraction) {
+    Simulation simulation(
+        support::make_gas({.count = 4000, .packing_fraction = packing_fraction, .seed = 78}),
+        {.division = Division{.domains = 2, .halo = 3}});
+    simulation.run_contacts(4000);
+    const double before = static_cast<double>(simulation.windows().windows);
+    simulation.run_contacts(8000);
+    return 8000 / (static_cast<double>(simulation.windows().windows) - before);
+  };
+  EXPECT_NEAR(contacts_in_window(0.3), 80, 8);
+  EXPECT_NEAR(contacts_in_window(0.01), 40, 8);
+}
+
 TEST(Threads, DoNotKeepOthersFromQueriesAtTheSameTime) {
   Simulation simulation(gas(), {.threads = 2});
   Simulation expected(gas());
