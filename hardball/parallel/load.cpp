@@ -21,7 +21,7 @@ bool Load::is_uneven(std::uint64_t spheres) const {
 }
 
 bool Load::has_shallow_halos() const {
-  constexpr std::uint64_t kFew = 16;
+  constexpr std::uint64_t kFew = 32;
   return kFew * windows.failed > windows.windows;
 }
 

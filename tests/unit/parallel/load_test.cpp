@@ -29,8 +29,8 @@ TEST(Load, IsUnevenWhereDomainsWait) {
 }
 
 TEST(Load, HasShallowHalosWhereManyWindowsFail) {
-  EXPECT_FALSE((Load{{1, 1}, {.windows = 160, .failed = 10}}.has_shallow_halos()));
-  EXPECT_TRUE((Load{{1, 1}, {.windows = 160, .failed = 11}}.has_shallow_halos()));
+  EXPECT_FALSE((Load{{1, 1}, {.windows = 320, .failed = 10}}.has_shallow_halos()));
+  EXPECT_TRUE((Load{{1, 1}, {.windows = 320, .failed = 11}}.has_shallow_halos()));
 }
 
 TEST(Load, DeepensHalosByStepsWhileNeighborsAreFew) {
