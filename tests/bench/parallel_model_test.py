@@ -38,9 +38,11 @@ def timed(spheres, fraction, domains):
     }  # fmt: skip
 
 
-def counted(fraction, halo, failed):
+def counted(fraction, halo, failed, length=1):
+    """Of windows that are so many times as long as usual."""
     place = {"spheres": 256000, "packing_fraction": fraction, "domains": 64}
-    return place | {"halo": halo, "windows": 500, "failed": failed}
+    contacts = 500 * length * parallel_model.WINDOW / 2 * 256000
+    return place | {"halo": halo, "windows": 500, "failed": failed, "contacts": contacts}
 
 
 def measurements():
@@ -94,6 +96,22 @@ class Fit(unittest.TestCase):
         self.assertAlmostEqual(rate.at(2.0, False) * area / 1000, math.exp(-1), 2)
         self.assertGreater(rate.at(2.25, True), rate.at(2.25, False))
 
+    def test_failures_grow_with_the_window(self):
+        rows = [counted(0.25, 1.75, 1000), counted(0.25, 2.0, 368)]
+        longer = [counted(0.25, 1.75, round(1000 * 2**2.5), 2), counted(0.25, 2.0, round(368 * 2**2.5), 2)]
+        usual = parallel_model.failure_rate(rows, 0.25)
+        self.assertAlmostEqual(parallel_model.failure_rate(longer, 0.25).at(1.75, False) / usual.at(1.75, False), 1, 2)
+
+    def test_small_domains_have_longer_windows(self):
+        def contacts(spheres, fraction, domains):
+            return parallel_model.contacts_in_window(Blocks(spheres, fraction, domains))
+
+        self.assertAlmostEqual(contacts(1e6, 0.25, 8), 1250)
+        self.assertAlmostEqual(contacts(1e6, 0.25, 64), 256)
+        self.assertAlmostEqual(contacts(1e6, 0.25, 1024), 1e6 / 1024 * 0.02)
+        # In a dilute gas they would fly too far: by a tenth of a diameter in windows of .018.
+        self.assertAlmostEqual(contacts(1e6, 0.02, 1024), 1e6 / 1024 * 0.01)
+
     def test_few_failures_leave_the_decay_open(self):
         few = parallel_model.failure_rate([counted(0.25, 1.75, 4), counted(0.25, 2.0, 0)], 0.25)
         many = parallel_model.failure_rate([counted(0.25, 1.75, 400), counted(0.25, 2.0, 0)], 0.25)
@@ -111,6 +129,9 @@ class Fit(unittest.TestCase):
         self.assertLess(told, alone)
         self.assertGreaterEqual(best, told)
         self.assertLess(best, 1024)
+        without_failures = model.predict(blocks, 1.75, network, may_fail=False)
+        self.assertEqual(without_failures["failed"], 0)
+        self.assertLess(told, without_failures["speed_up"])
 
 
 if __name__ == "__main__":
