@@ -80,6 +80,9 @@ class LargeSphereGrid {
   }
   bool uses_minimum_image() const { return true; }
   bool are_candidates(Slot a, Slot b) const;
+  /// Whether `collect` gives only those candidates of a large sphere that can reach it before its list
+  /// expires.
+  bool has_approach_list(Slot slot) const { return is_large(slot) && large_of(slot).list.exists(); }
   auto& lines() { return grid_.lines(); }
   const auto& lines() const { return grid_.lines(); }
   std::uint64_t left_count() const { return grid_.left_count() + left_count_; }
