@@ -43,6 +43,19 @@ class Block {
   /// Whether the block is only a part of the box along an axis.
   bool is_divided(std::size_t axis) const { return is_divided_[axis]; }
 
+  /// How far a point between the block and its nearest image can be from both, along the divided axis where
+  /// that is least, and where it is most [L]; infinity where there are no images.
+  double least_half_gap() const {
+    double least = kInfinity;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) least = std::min(least, half_gap(axis, kInfinity));
+    return least;
+  }
+  double largest_half_gap() const {
+    double largest = -kInfinity;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) largest = std::max(largest, half_gap(axis, -kInfinity));
+    return largest;
+  }
+
   /// The block and what is so near it [L], all of the box along axes that are not divided.
   Extent surroundings(double depth) const {
     Extent extent;
@@ -78,6 +91,11 @@ class Block {
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  double half_gap(std::size_t axis, double where_undivided) const {
+    if (!is_divided_[axis]) return where_undivided;
+    return period_[axis] == 0 ? kInfinity : 0.5 * (period_[axis] - (high_[axis] - low_[axis]));
+  }
 
   double distance_along(std::size_t axis, double x) const {
     const double outside = std::max(low_[axis] - x, x - high_[axis]);

@@ -48,6 +48,8 @@ class Frontier {
 
   Frontier(const Partition& partition, DomainNumber domain, const Halo& halo, const Motion& motion)
       : block_(partition.block(domain)),
+        least_half_gap_(block_.least_half_gap() * (1 - 0x1p-30)),
+        largest_half_gap_(block_.largest_half_gap() * (1 + 0x1p-30)),
         neighbors_(partition.neighbors(domain, halo.neighborhood())),
         halo_(halo),
         gravity_(motion.gravity()),
@@ -55,6 +57,9 @@ class Frontier {
     std::vector<Block> blocks;
     for (const DomainNumber neighbor : neighbors_) blocks.push_back(partition.block(neighbor));
     blocks_ = BlockDistances(blocks);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (block_.period(axis) > 0) least_period_ = std::min(least_period_, block_.period(axis));
+    }
   }
 
   const std::vector<DomainNumber>& neighbors() const { return neighbors_; }
@@ -144,11 +149,12 @@ class Frontier {
     // By how much a parabola leaves its chord.
     const double sag = fall_ * wait * wait / 8;
     const Distances from = distances(start);
-    note_excursion(from.own + sag, end.own + sag, begin, wait);
     const double step = largest_component(leg.end_position - start);
+    note_excursion(from.own + sag, end.own + sag, step, begin, wait);
     for (std::size_t neighbor = 0; neighbor < neighbors_.size(); ++neighbor) {
       if ((holders >> neighbor & 1) != 0) continue;
-      const double first = from.neighbors[neighbor];
+      // From farther away than a box, the nearest image of a block is not known.
+      const double first = step > least_period_ ? end.neighbors[neighbor] - step : from.neighbors[neighbor];
       const double least = (first + end.neighbors[neighbor] - step) / 2 - sag;
       if (least <= halo_.depth) outboxes[neighbor].flights.push_back({begin, first, speed, least});
     }
@@ -187,17 +193,25 @@ class Frontier {
     return nearest;
   }
 
-  // Along a chord the distance from a block is convex.
-  void note_excursion(double first, double last, double begin, double wait) {
-    const double most = std::max(first, last);
+  // Nothing is farther from the block than the distances at both ends and the step between them allow. If the
+  // chord so stays nearer to the block than to its images, the distance along it is convex.
+  void note_excursion(double first, double last, double step, double begin, double wait) {
+    const double allowed = (first + last + step) / 2;
+    const bool is_convex = allowed < least_half_gap_;
+    const double most = is_convex ? std::max(first, last) : std::min(allowed, largest_half_gap_);
     excursion_ = std::max(excursion_, most);
     const double farthest = halo_.farthest();
     if (!(most > farthest)) return;
-    const double share = first < farthest ? (farthest - first) / (last - first) * (1 - 0x1p-30) : 0;
+    const double rise = is_convex ? last - first : step;
+    const double share = first < farthest ? (farthest - first) / rise * (1 - 0x1p-30) : 0;
     far_since_ = std::min(far_since_, begin + share * wait);
   }
 
   Block block_;
+  // With room for rounding:
+  double least_half_gap_;
+  double largest_half_gap_;
+  double least_period_ = std::numeric_limits<double>::infinity();
   std::vector<DomainNumber> neighbors_;
   BlockDistances blocks_;  // of the neighbors
   Halo halo_;

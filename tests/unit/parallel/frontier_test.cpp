@@ -4,10 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/parallel/comparison.hpp"
+#include "support/effort.hpp"
 
 namespace hardball::frontier_test {
 namespace {
@@ -64,6 +71,87 @@ TEST_F(FrontierTest, DoesNotTellOfSpheresThatStayAway) {
   const Leg leg{.begin = 0, .end = 2, .end_position = {2.5, 2, 2}, .end_velocity = {1, 0, 0}};
   first_.note(leg, first_.distances(leg.end_position), 0, outboxes_);
   EXPECT_TRUE(outboxes_[0].flights.empty());
+}
+
+// A box of random boundaries, its partition, and a leg that may go around the box several times.
+struct RandomLeg {
+  explicit RandomLeg(std::uint64_t seed) : random(seed) {
+    std::array<Boundary, kAxes> boundary;
+    Vec3 size;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      boundary[axis] = random.uniform() < 0.7 ? Boundary::periodic : Boundary::open;
+      size[axis] = 4 + 12 * random.uniform();
+    }
+    box = Box(boundary, size);
+    std::vector<Vec3> centers(64);
+    for (Vec3& center : centers) center = random_place(size);
+    partition = Partition::bisection(box, 2 + random.bits() % 7, centers);
+    halo.depth = 0.5 + 2 * random.uniform();
+    halo.slack = 0.25;
+    halo.contact = halo.depth * random.uniform();
+    if (random.uniform() < 0.3) motion = Motion(0.5 * random.direction());
+    leg.end = std::exp2(-3 + 6 * random.uniform());
+    leg.end_position = random_place(size);
+    leg.end_velocity = 4 * random.uniform() * random.direction();
+  }
+
+  Vec3 random_place(const Vec3& size) {
+    return {size.x * random.uniform(), size.y * random.uniform(), size.z * random.uniform()};
+  }
+  Vec3 position(double time) const {
+    const double wait = leg.end - time;
+    Vec3 place = leg.end_position - wait * (leg.end_velocity - (0.5 * wait) * motion.gravity());
+    box.fold(place);
+    return place;
+  }
+
+  Random random;
+  Box box = Box::periodic({1, 1, 1});
+  Partition partition = Partition::grid(box, {1, 1, 1}, {});
+  Halo halo;
+  Motion motion;
+  Leg leg;
+};
+
+// Many points of a leg, one by one.
+TEST(Frontier, MissesNothingOnLegsOfAnyLength) {
+  constexpr double kError = 1e-9;
+  constexpr int kPoints = 500;
+  std::uint64_t far = 0;
+  std::uint64_t newcomers = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(10000); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomLeg made(seed);
+    const auto own = static_cast<DomainNumber>(made.random.bits() % made.partition.size());
+    Frontier frontier(made.partition, own, made.halo, made.motion);
+    const std::vector<DomainNumber>& neighbors = frontier.neighbors();
+    const auto holders = static_cast<NeighborSet>(made.random.bits());
+    std::vector<Outbox> outboxes(neighbors.size());
+    frontier.begin(0);
+    frontier.note(made.leg, frontier.distances(made.leg.end_position), holders, outboxes);
+    for (int point = 0; point <= kPoints; ++point) {
+      const double time = made.leg.end * point / kPoints;
+      const Vec3 place = made.position(time);
+      const double outside = frontier.block().distance(place);
+      ASSERT_LE(outside, std::max(0.0, frontier.excursion()) + kError);
+      if (outside > made.halo.farthest() + kError) {
+        ASSERT_LE(frontier.far_since(), time);
+        ++far;
+      }
+      if (frontier.far_since() <= time) break;
+      for (std::size_t k = 0; k < neighbors.size(); ++k) {
+        if ((holders >> k & 1) != 0) continue;
+        Frontier other(made.partition, neighbors[k], made.halo, made.motion);
+        other.begin(0);
+        if (other.block().distance(place) > other.guard() - kError) continue;
+        ASSERT_FALSE(outboxes[k].flights.empty());
+        ASSERT_LE(other.time_within_guard(outboxes[k].flights.front()), time);
+        ++newcomers;
+      }
+    }
+  }
+  EXPECT_GT(far, support::cases(10000) / 10);
+  EXPECT_GT(newcomers, support::cases(10000) / 10);
 }
 
 // The later of the moments at which two spheres began to differ, if their cubes come within a contact.
