@@ -44,7 +44,8 @@ class Block {
   bool is_divided(std::size_t axis) const { return is_divided_[axis]; }
 
   /// How far a point between the block and its nearest image can be from both, along the divided axis where
-  /// that is least, and where it is most [L]; infinity where there are no images.
+  /// that is least, and where it is most [L]. Along a divided axis that is not periodic it is infinite; if no
+  /// axis is divided, the least is infinity and the largest minus infinity.
   double least_half_gap() const {
     double least = kInfinity;
     for (std::size_t axis = 0; axis < kAxes; ++axis) least = std::min(least, half_gap(axis, kInfinity));
