@@ -29,6 +29,7 @@ class Alarms {
     Time path;  ///< When the path began for which the alarm was set.
   };
 
+  /// Up to which alarms are set [T]; minus infinity before the first `restart`.
   double horizon() const { return horizon_; }
   /// Forgets all, and begins again at `now`, with another horizon [T].
   void restart(double now, double horizon) {
@@ -86,7 +87,7 @@ class Alarms {
   }
 
   double begin_ = 0;
-  double horizon_ = std::numeric_limits<double>::infinity();
+  double horizon_ = -std::numeric_limits<double>::infinity();  // none before the first start
   double buckets_per_time_ = 0;
   std::size_t first_ = kBuckets - 1;  // those before it are empty
   std::array<std::vector<Alarm>, kBuckets> buckets_;

@@ -109,7 +109,7 @@ class Cluster {
     const double part = std::min(1.0, static_cast<double>(most) / settings_.contacts);
     wanted_ = std::max(part * window_, least_window());
     for (double until = std::min({end, begin + wanted_, horizon_});;) {
-      each([&](Member& domain, std::size_t) { domain.run(until, most_contacts()); });
+      each_or_undo([&](Member& domain, std::size_t) { domain.run(until, most_contacts()); });
       const Findings found = compare(until);
       const bool is_wrong = found.bad <= until;
       // With the last of the contacts wanted, the window ends: that takes a step.
@@ -286,6 +286,17 @@ class Cluster {
     for (auto& domain : domains_) domain->set_last_passage(last);
   }
 
+  // Works on all domains in a window. Error: as of `each`; then the window is undone.
+  template <class Work>
+  void each_or_undo(Work&& work) {
+    try {
+      each(work);
+    } catch (...) {
+      undo();
+      throw;
+    }
+  }
+
   void undo() {
     each([&](Member& domain, std::size_t) {
       domain.undo();
@@ -314,7 +325,7 @@ class Cluster {
   Event step(double end, bool executes) {
     const double begin = committed_;
     for (double until = end;;) {
-      each([&](Member& domain, std::size_t k) { peeked_[k] = domain.peek(until); });
+      each_or_undo([&](Member& domain, std::size_t k) { peeked_[k] = domain.peek(until); });
       const Event next = earliest_peeked();
       const double to = next.happens() ? next.time.high : until;
       each([&](Member& domain, std::size_t) { domain.end_peek(to); });

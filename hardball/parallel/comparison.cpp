@@ -20,42 +20,44 @@ double distance_between(const Box& box, const Vec3& a, const Vec3& b) {
   return largest_component(apart);
 }
 
-// The course of a sphere from some moment on, as a chain of chords.
+// The course of a sphere from some moment on, as a chain of chords. It may go around a periodic box, so
+// chords are ways flown, and not distances between places inside the box.
 class Course {
  public:
   Course(const World& world, const Frontier& frontier, const Path& path, double begin)
       : world_(world), frontier_(frontier), path_(path), moment_(later(Time(begin), path.time)) {
     center_ = world.motion().position_at(path_, moment_);
     world.box().fold(center_);
-    at_ = center_;
-    distance_ = frontier.block().distance(at_);
+    distance_ = frontier.block().distance(center_);
     nearest_ = distance_;
   }
 
   // The path is another one from here on.
   void turn(const Path& path) {
-    go_to(path.position, path.time);
+    fly_to(path.position, path.time);
     path_ = path;
   }
   void end(double end) {
     const Time moment = later(Time(end), moment_);
     Vec3 position = world_.motion().position_at(path_, moment);
     world_.box().fold(position);
-    go_to(position, moment);
+    fly_to(position, moment);
   }
 
   bool comes_within(double guard) const { return nearest_ <= guard; }
   Doubt doubt(double since) const { return {since, center_, extent_}; }
 
  private:
-  void go_to(const Vec3& position, const Time& moment) {
+  // `position` is inside the box.
+  void fly_to(const Vec3& position, const Time& moment) {
     const double wait = duration(moment_, moment);
     const double sag = largest_component(world_.motion().gravity()) * wait * wait / 8;
     const double distance = frontier_.block().distance(position);
-    const double step = distance_between(world_.box(), at_, position);
-    nearest_ = std::min(nearest_, (distance_ + distance - step) / 2 - sag);
-    extent_ = std::max(extent_, distance_between(world_.box(), center_, position) + sag);
-    at_ = position;
+    const Vec3 step =
+        world_.motion().position_at(path_, moment) - world_.motion().position_at(path_, moment_);
+    flown_ += step;
+    nearest_ = std::min(nearest_, (distance_ + distance - largest_component(step)) / 2 - sag);
+    extent_ = std::max(extent_, largest_component(flown_) + sag);
     distance_ = distance;
     moment_ = moment;
   }
@@ -65,7 +67,7 @@ class Course {
   Path path_;
   Time moment_;
   Vec3 center_;
-  Vec3 at_;
+  Vec3 flown_;
   double distance_ = 0;
   double nearest_ = 0;
   double extent_ = 0;

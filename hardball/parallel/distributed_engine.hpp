@@ -58,7 +58,7 @@ class DistributedEngine {
       collect(sums);
       return status;
     } catch (...) {
-      collect(sums);
+      if (cluster_) collect(sums);  // otherwise it has failed to divide the system anew
       throw;
     }
   }

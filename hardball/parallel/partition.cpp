@@ -149,7 +149,11 @@ DomainNumber Partition::domain_at(const Vec3& point) const {
 std::vector<DomainNumber> Partition::neighbors(DomainNumber domain, double distance) const {
   std::vector<DomainNumber> near;
   for (DomainNumber other = 0; other < size(); ++other) {
-    if (other != domain && blocks_[domain].distance(blocks_[other]) <= distance) near.push_back(other);
+    if (other == domain) continue;
+    // Across a period both differ by rounding, and neighbors must be neighbors of each other.
+    const double gap =
+        std::min(blocks_[domain].distance(blocks_[other]), blocks_[other].distance(blocks_[domain]));
+    if (gap <= distance) near.push_back(other);
   }
   return near;
 }

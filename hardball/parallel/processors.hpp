@@ -8,7 +8,7 @@
 
 namespace hardball {
 
-/// The processors on which this process may run, by number; empty where that cannot be found out.
+/// The processors on which the calling thread may run, by number; empty where that cannot be found out.
 std::vector<int> available_processors();
 
 /// Those of so many available processors that one of a team of threads is to run on: no other thread of the

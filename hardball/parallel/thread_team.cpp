@@ -92,15 +92,17 @@ void ThreadTeam::work(std::size_t number) {
 }
 
 void ThreadTeam::pin(std::size_t number) const {
-  if (processors_.size() >= size()) let_run_on(processors_of_thread(processors_, size(), number));
+  if (may_pin()) let_run_on(processors_of_thread(processors_, size(), number));
 }
 
-ThreadTeam::Pinned::Pinned(const ThreadTeam& team) : team_(team) {
-  if (team_.size() > 1) team_.pin(0);
+ThreadTeam::Pinned::Pinned(const ThreadTeam& team) {
+  if (!team.may_pin()) return;
+  before_ = available_processors();
+  team.pin(0);
 }
 
 ThreadTeam::Pinned::~Pinned() {
-  if (team_.size() > 1) let_run_on(team_.processors_);
+  if (!before_.empty()) let_run_on(before_);
 }
 
 }  // namespace hardball

@@ -34,7 +34,8 @@ class ThreadTeam {
     return [this](std::size_t count, const Function<void(std::size_t)>& work) { for_each(count, work); };
   }
 
-  /// Keeps the calling thread on the processors of the first thread, for as long as this exists.
+  /// Keeps the calling thread on the processors of the first thread, for as long as this exists. Afterwards
+  /// it may run where it could before.
   class Pinned {
    public:
     explicit Pinned(const ThreadTeam& team);
@@ -43,12 +44,13 @@ class ThreadTeam {
     ~Pinned();
 
    private:
-    const ThreadTeam& team_;
+    std::vector<int> before_;  // empty if it was not pinned
   };
 
  private:
   void end();
   void work(std::size_t number);
+  bool may_pin() const { return size() > 1 && processors_.size() >= size(); }
   void pin(std::size_t number) const;
 
   std::size_t size_;

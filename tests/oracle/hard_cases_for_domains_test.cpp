@@ -198,6 +198,57 @@ TEST(HardCasesForDomains, SmallPeriodicBoxes) {
   }
 }
 
+// A ghost flies around the box along an axis that is not divided, into a row of spheres whose last hits a
+// ghost of the other domain in the same window.
+TEST(HardCasesForDomains, WaysAroundTheBox) {
+  for (int step = 0; step < 11; ++step) {
+    const double wait = 26.5 + 0.2 * step;
+    SCOPED_TRACE(wait);
+    World world(Box::periodic({80, 12, 12}));
+    const double speed = 0.225;
+    const Vec3 toward{0.8, 0.6, 0};
+    const Vec3 met{19.3, 8, 5};
+    const Vec3 end_of_row{21.6, 2, 5};
+    const Vec3 along{-0.2, 0.9797958971132712, 0};
+    constexpr int kRow = 12;
+    constexpr double kSpacing = 1.015625;
+    world.add({.position = met - (1 + speed * wait) * toward,
+               .velocity = speed * toward,
+               .radius = 0.5,
+               .mass = 0.2});
+    world.add({.position = met, .radius = 0.5});
+    world.add({.position = {20, 1, 10}, .radius = 0.5});
+    for (int k = 0; k <= kRow; ++k)
+      world.add({.position = end_of_row - (kSpacing * k) * along, .radius = 0.5});
+    world.add(
+        {.position = end_of_row - (kSpacing * kRow + 1 + wait) * along, .velocity = along, .radius = 0.5});
+    for (int k = 0; k < kRow; ++k) world.add({.position = {3 + 1.2 * k, 1, 10}, .radius = 0.5});
+    expect_one_history(world, {.until = Time(wait + 20)}, {}, {{.domains = 2}, {.domains = 3, .halo = 1.5}});
+  }
+}
+
+// Gaps between blocks, across the box and its period, are as wide as neighborhoods to the last bit.
+TEST(HardCasesForDomains, LatticesWithTheSpacingOfHalos) {
+  for (const double diameter : {0.2, 0.3, 0.6, 0.7, 1.2, 2.0}) {
+    for (const double ratio : {1.75, 3.5, 7.0 / 6}) {
+      for (const int along : {8, 9, 12, 16}) {
+        const double spacing = diameter * ratio;
+        World world(Box::periodic({along * spacing, 2 * spacing, 2 * spacing}));
+        for (int k = 0; k < 4 * along; ++k) {
+          const int x = k / 4;
+          const int y = k / 2 % 2;
+          const int z = k % 2;
+          world.add({.position = {(x + 0.5) * spacing, (y + 0.5) * spacing, (z + 0.5) * spacing},
+                     .velocity = {x % 2 == 1 ? 1.0 : -0.5, 0.3 * y, 0.1 * z},
+                     .radius = diameter / 2});
+        }
+        expect_one_history(world, {.until = Time(1000), .contacts = 20}, {},
+                           {{.domains = 8}, {.domains = 12}});
+      }
+    }
+  }
+}
+
 TEST(HardCasesForDomains, Discs) {
   for (const Boundary boundary : {Boundary::wall, Boundary::periodic, Boundary::open}) {
     const World world = support::make_discs(200, 0.4, 4, boundary);

@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // 2, which is a ghost, too.
 class ComparisonTest : public testing::Test {
  protected:
-  ComparisonTest() {
+  explicit ComparisonTest(const Box& box = Box::walls({20, 6, 4})) : world_(box) {
     world_.add({.position = {8, 2, 2}, .radius = 0.5});
     world_.add({.position = {11, 2, 2}, .radius = 0.5});
     world_.add({.position = {11, 3.5, 2}, .radius = 0.5});
@@ -48,7 +48,7 @@ class ComparisonTest : public testing::Test {
     return comparison_.compare(world_, residents_, frontier_, own, inboxes, 0, 4, outboxes_);
   }
 
-  World world_{Box::walls({20, 6, 4})};
+  World world_;
   Residents residents_;
   Partition partition_ = Partition::grid(world_.box(), {2, 1, 1}, {});
   Frontier frontier_{partition_, 0, {.depth = 2, .slack = 0.5, .contact = 1}, Motion()};
@@ -108,6 +108,22 @@ TEST_F(ComparisonTest, DoubtsGhostsThatDifferNearTheBlock) {
   // It flies from x = 11 on, to x = 13.5 at the end of the window.
   EXPECT_EQ(doubt.center, (Vec3{11, 2, 2}));
   EXPECT_EQ(doubt.extent, 2.5);
+}
+
+class ComparisonInPeriodicBoxTest : public ComparisonTest {
+ protected:
+  ComparisonInPeriodicBoxTest() : ComparisonTest(Box::periodic({20, 6, 4})) {}
+};
+
+// It flies by more than half of the box along an axis that is not divided: its place at the end is nearer to
+// where it was than it has been.
+TEST_F(ComparisonInPeriodicBoxTest, KnowsHowFarAGhostHasFlownAroundTheBox) {
+  const PathRecord found = record(1, 2, 1);
+  PathRecord told = found;
+  told.path.velocity = {0, 1.75, 0};
+  EXPECT_EQ(compare({noted(found)}, {told}), kInfinity);
+  ASSERT_EQ(outboxes_[0].doubts.size(), 1U);
+  EXPECT_EQ(outboxes_[0].doubts.front().extent, 5.25);
 }
 
 }  // namespace
