@@ -400,7 +400,9 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
   check_can_be_shared(scenario);
   // Those that a run has by default: with measures the first process has to hold all spheres.
   const std::vector<std::string>& names = scenario.measures.names;
-  if (names.empty() || names == MeasureSettings().names) leave_out_measures(scenario);
+  const bool leaves_out = scenario.report || !names.empty();
+  const bool are_named = !names.empty() && names != MeasureSettings().names;
+  if (!are_named) leave_out_measures(scenario);
   std::optional<DistributedRun> run;
   {
     SetUpProgress progress(processes.is_first() && !options.quiet);
@@ -415,6 +417,11 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
   }
   std::optional<std::filesystem::path> directory = scenario.output_directory;
   if (options.out) directory = *options.out;
+  if (directory && leaves_out && !are_named && processes.is_first() && !options.quiet) {
+    fmt::print(stderr,
+               "hardball: several processes leave out measures and report, which need all spheres in one of "
+               "them; name measures to have them\n");
+  }
   run->begin_files(directory);
   return run->carry_out({.setup = seconds_since(begin)});
 }

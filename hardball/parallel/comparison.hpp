@@ -31,9 +31,9 @@ struct Correction {
 /// Compares what happened to the ghosts of a domain with what happened to them at their owners.
 class Comparison {
  public:
-  /// Returns a time before which nothing that happened to own spheres can be wrong [T]; infinity if nothing
-  /// was wrong in the whole window, from `begin` to `end`. Appends doubts about ghosts that differ to the
-  /// outboxes to their owners, which must be compared with what they doubt; see time_of_doubt.
+  /// Returns when an own sphere first had a contact with a ghost that differs, here or at its owner [T];
+  /// infinity if none had in the whole window, from `begin` to `end`. Appends doubts about ghosts that differ
+  /// to the outboxes to their owners, which must be compared with what they doubt; see time_of_doubt.
   ///
   /// Of a sphere that differs, only a contact with an own sphere matters, here or at its owner; and where an
   /// own sphere is in doubt, too, whether the two met. Source: docs/parallel.md, with the proof.

@@ -27,7 +27,7 @@
 
 namespace hardball {
 
-/// The part of one process in an engine that several processes are together: to the same contacts as Engine.
+/// The share of one process in an engine that spans several processes: to the same contacts as Engine.
 /// No process holds more than the spheres in its domains, and those near them. Its members are called in all
 /// processes at once, with the same arguments but for the spheres and the sums.
 template <EventQueue Queue, BroadPhase Phase, class Sums>
@@ -36,8 +36,8 @@ class DistributedEngine {
   using Observe = Function<void(const Contact&)>;
 
   /// Divides a system as it is at `now`, of which each process brings some of the spheres, wherever they are;
-  /// all are brought once. `empty`: the world without spheres. `division` is that of the whole, with as many
-  /// domains in each process. Error: there are too many domains for so small a box.
+  /// all are brought once. `empty`: the world without spheres. `division` is that of each process. Error:
+  /// there are too many domains for so small a box.
   DistributedEngine(World empty, std::vector<Traveler> brought, const PhaseSettings& phase,
                     const Division& division, const Time& now, Processes& processes)
       : processes_(processes),

@@ -15,7 +15,7 @@
 
 namespace hardball {
 
-/// Which domains are in which process: of each, as many follow each other.
+/// Which domains are in which process: each has as many, and their numbers follow each other.
 struct DomainsOfProcess {
   std::size_t each = 1;  ///< In each process.
 

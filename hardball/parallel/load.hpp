@@ -28,8 +28,8 @@ struct Load {
   bool has_shallow_halos() const;
 };
 
-/// The division with deeper halos, if there are any that are reasonable and do not have domains concern too
-/// many others.
+/// Makes the halos of a division deeper by a quarter of a diameter. Returns false, and changes nothing, if
+/// they are as deep as is reasonable or a domain would have too many neighbors.
 bool deepen(Division& division, const Partition& partition, const Halo& halo);
 
 /// Centers from which a partition would make blocks that have as many contacts: each of these as often as

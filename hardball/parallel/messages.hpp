@@ -36,9 +36,10 @@ struct Flight {
   double least = 0;     ///< No point of the part is nearer to the block [L].
 };
 
-/// Where a sphere is from the moment on at which two domains no longer agree about it: in a cube.
+/// Where a sphere is that differs in two domains, from the last change on which they agree to the end of the
+/// window: in a cube.
 struct Doubt {
-  double since = 0;   ///< [T]
+  double since = 0;   ///< When they began to differ [T].
   Vec3 center;        ///< [L]
   double extent = 0;  ///< Half the edge of the cube [L].
 };

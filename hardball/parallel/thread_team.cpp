@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/parallel/thread_team.hpp"
 
+#include <system_error>
+
+#include "hardball/errors/error.hpp"
 #include "hardball/parallel/processors.hpp"
 
 #if defined(__linux__)
@@ -48,6 +51,10 @@ ThreadTeam::ThreadTeam(std::size_t threads) : size_(threads), processors_(availa
   try {
     for (std::size_t number = 1; number < threads; ++number)
       workers_.emplace_back([this, number] { work(number); });
+  } catch (const std::system_error& failed) {
+    end();
+    throw Error(to_text(threads) + " threads cannot be started: " + failed.code().message(), "threads",
+                "give fewer");
   } catch (...) {
     end();
     throw;

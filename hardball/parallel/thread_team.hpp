@@ -18,7 +18,7 @@ namespace hardball {
 /// Who waits long gives its processor away: on a busy machine the others may need it.
 class ThreadTeam {
  public:
-  /// Precondition: `threads` is not zero.
+  /// Precondition: `threads` is not zero. Error: the system does not start so many.
   explicit ThreadTeam(std::size_t threads);
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;

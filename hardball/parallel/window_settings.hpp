@@ -6,8 +6,8 @@ namespace hardball {
 
 /// How long windows are.
 struct WindowSettings {
-  double contacts = 1000;       ///< So many are aimed at in a window, by all domains.
-  double more_contacts = 1000;  ///< So many where spheres fly only a little way meanwhile.
+  double contacts = 1000;       ///< The target number in a window, of all domains together.
+  double more_contacts = 1000;  ///< The same where spheres fly less than a tenth of a diameter meanwhile.
   double first = 1;             ///< The length of the first window [T].
   double flight = 1;            ///< In which a sphere of mean speed flies by the largest diameter [T].
 };

@@ -222,6 +222,15 @@ class Processes(unittest.TestCase):
         run(["resume", str(directory)], 2)
         self.expect_same(directory, expected)
 
+    def test_measures_that_are_not_named_are_left_out_with_a_note(self):
+        scenario = self.scenario(GAS)
+        for names, are_named in (('["all"]', False), ('["pressure"]', True)):
+            directory = self.folder / f"named_{are_named}"
+            done = run(["run", scenario, "--out", str(directory), "--until", "0.1", "--set",
+                        f"measures.names={names}"], 2)
+            self.assertEqual((directory / "report.html").exists(), are_named)
+            self.assertEqual("leave out measures" in done.stderr, not are_named, done.stderr)
+
     def test_what_processes_cannot_share_is_refused(self):
         scenario = self.scenario(GAS)
         for change, name in (("growth.rate=0.1", "growth"), ("response.kind=\"merge\"", "merge")):
