@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "hardball/numbers/random.hpp"
@@ -36,6 +37,10 @@ TEST(Alarms, AreTakenOnceWhenTheyAreDue) {
   EXPECT_EQ(taken_by(alarms, 5), (std::vector<Slot>{0, 1}));
   EXPECT_EQ(taken_by(alarms, 10), std::vector<Slot>{2});
   EXPECT_EQ(taken_by(alarms, 10), std::vector<Slot>{});
+}
+
+TEST(Alarms, AreSetUpToNoTimeBeforeTheFirstStart) {
+  EXPECT_LT(Alarms().horizon(), std::numeric_limits<double>::lowest());
 }
 
 TEST(Alarms, OfASphereAreAsEarlyAsTheFirst) {
