@@ -186,11 +186,7 @@ class CriticalPath {
     return make_engine(std::move(then), phase_, now);
   }
 
-  SystemSize system_size() const {
-    SystemSize size;
-    size.note(engine_.world(), engine_.now());
-    return size;
-  }
+  SystemSize system_size() const { return SystemSize::of(engine_.world(), engine_.now()); }
   Halo halo() const { return system_size().halo(options_.division); }
   WindowSettings window_settings(std::size_t domains) const {
     return system_size().windows(options_.division, domains);

@@ -43,6 +43,8 @@ void check_can_be_shared(const Scenario& scenario) {
     throw Error("processes cannot share a sheared box", scenario.name, kRemedy);
   if (scenario.has_steps())
     throw Error("processes cannot share spheres with potentials of steps", scenario.name, kRemedy);
+  if (scenario.has_merging())
+    throw Error("processes cannot share spheres that merge", scenario.name, kRemedy);
 }
 
 // Whether spheres can be written to such a file block by block.
@@ -55,6 +57,12 @@ bool takes_parts(SnapshotFormat format) {
 void leave_out_measures(Scenario& scenario) {
   scenario.measures.names.clear();
   scenario.report = false;
+}
+
+void tell_of_left_out_measures() {
+  fmt::print(stderr,
+             "hardball: several processes leave out measures and report, which need all spheres in one of "
+             "them; name measures to have them\n");
 }
 
 std::size_t threads_of(const Options& options) {
@@ -417,11 +425,8 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
   }
   std::optional<std::filesystem::path> directory = scenario.output_directory;
   if (options.out) directory = *options.out;
-  if (directory && leaves_out && !are_named && processes.is_first() && !options.quiet) {
-    fmt::print(stderr,
-               "hardball: several processes leave out measures and report, which need all spheres in one of "
-               "them; name measures to have them\n");
-  }
+  if (directory && leaves_out && !are_named && processes.is_first() && !options.quiet)
+    tell_of_left_out_measures();
   run->begin_files(directory);
   return run->carry_out({.setup = seconds_since(begin)});
 }
@@ -436,6 +441,7 @@ ExitCode resume_distributed(const Options& options, Processes& processes) {
   FilesState files;
   Measures measures;
   in_all(processes, [&] {
+    require_checkpoint(path);
     checkpoint.emplace(path);
     restore(checkpoint->section("run"), path.string(), state);
     restore(checkpoint->section("files"), path.string(), files);
@@ -447,7 +453,11 @@ ExitCode resume_distributed(const Options& options, Processes& processes) {
   Scenario scenario =
       changed_by(state.options, parse_scenario(state.text, state.name, state.options.overrides));
   check_can_be_shared(scenario);
-  if (!measures.is_any_wanted()) leave_out_measures(scenario);
+  if (!measures.is_any_wanted()) {
+    if (!scenario.measures.names.empty() && processes.is_first() && !options.quiet)
+      tell_of_left_out_measures();
+    leave_out_measures(scenario);
+  }
   DistributedSimulation simulation = loaded(*checkpoint, path, threads_of(options), processes);
   const double time = simulation.time();
   if (*scenario.until < time || (*scenario.until == time && is_finished(directory))) {

@@ -314,6 +314,7 @@ ExitCode run_program(int argument_count, char** arguments, Processes* processes,
 #if HARDBALL_MPI
 ExitCode run_in_processes(int argument_count, char** arguments) {
   MpiProcesses processes;
+  if (processes.size() == 1) return run_program(argument_count, arguments, nullptr, true);
   const std::string who = "process " + to_text(processes.rank()) + ": ";
   try {
     return run_program(argument_count, arguments, &processes, processes.is_first());
@@ -336,7 +337,7 @@ int main(int argument_count, char** arguments) {
   cli::ExitCode code = cli::ExitCode::failed;
   try {
 #if HARDBALL_MPI
-    if (MpiProcesses::are_several())
+    if (MpiProcesses::may_be_several())
       return static_cast<int>(cli::run_in_processes(argument_count, arguments));
 #endif
     code = cli::run_program(argument_count, arguments, nullptr, true);

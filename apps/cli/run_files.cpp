@@ -90,12 +90,27 @@ std::vector<std::pair<std::string, TrajectoryPosition>> named_trajectories(
   return named;
 }
 
+// A file that a run continues. Error: it is gone.
+std::filesystem::path continued(const std::filesystem::path& directory, const std::filesystem::path& name) {
+  if (!std::filesystem::exists(directory / name)) {
+    throw Error(name.string() + " is gone, which the run continues", directory.string(),
+                "put it back, or start the run again in another directory");
+  }
+  return directory / name;
+}
+
 void remove_all(const std::vector<std::filesystem::path>& paths) {
   std::error_code ignored;
   for (const std::filesystem::path& path : paths) std::filesystem::remove(path, ignored);
 }
 
 }  // namespace
+
+void require_checkpoint(const std::filesystem::path& checkpoint) {
+  if (std::filesystem::exists(checkpoint)) return;
+  throw Error("there is no checkpoint", checkpoint.string(),
+              "name the output directory of a run that has written one");
+}
 
 bool is_finished(const std::filesystem::path& directory) {
   return std::filesystem::exists(directory / kSummary);
@@ -183,10 +198,10 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
 RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const FilesState& state)
     : directory_(directory), lock_(directory), has_measures_(!scenario.measures.names.empty()) {
   for (const auto& [name, position] : named_trajectories(directory, scenario, state)) {
-    trajectories_.emplace_back(name, Trajectory(directory / name, position));
+    trajectories_.emplace_back(name, Trajectory(continued(directory, name), position));
   }
-  if (state.events) events_.emplace(directory / kEvents, *state.events);
-  if (state.recording) recording_.emplace(directory / kRecording, *state.recording);
+  if (state.events) events_.emplace(continued(directory, kEvents), *state.events);
+  if (state.recording) recording_.emplace(continued(directory, kRecording), *state.recording);
   if (has_measures_) make_directory(directory / kMeasures);
   // Those of the end before.
   for (const char* name : {kSummary, kReport}) std::filesystem::remove(directory / name);

@@ -30,6 +30,9 @@ inline constexpr const char* kCheckpointEnding = ".hbc";
 /// The folder of those that are kept.
 inline constexpr const char* kKeptCheckpoints = "checkpoints";
 
+/// Error: there is no such checkpoint.
+void require_checkpoint(const std::filesystem::path& checkpoint);
+
 /// Whether the run whose output directory this is has come to an end.
 bool is_finished(const std::filesystem::path& directory);
 

@@ -113,7 +113,8 @@ std::vector<Quantity> rates(const Simulation& simulation, const GasStatistics& s
     add("pressure on the walls", pressure_unit(statistics.box), summary.wall_pressure(),
         expected_wall_pressure(statistics, simulation.world().kinetic_energy(simulation.now())));
   }
-  if (simulation.engine() == EngineKind::cells && counters.rebuilds == 0) {
+  // Several domains have more work than the one engine that the theory is of.
+  if (simulation.engine() == EngineKind::cells && counters.rebuilds == 0 && summary.domains() == 1) {
     const CellCounts expected = expected_counts(statistics, simulation.cell_edge());
     add("cells entered per sphere and time", "T^-1", rate(counters.enter), expected.enter);
     add("stale events per sphere and time", "T^-1", rate(counters.stale), expected.stale);

@@ -202,10 +202,7 @@ void write_checkpoint(StartedRun& run, const std::filesystem::path& path) {
 
 StartedRun resumed_run(const std::filesystem::path& directory, const std::filesystem::path& checkpoint,
                        const Options& options) {
-  if (!std::filesystem::exists(checkpoint)) {
-    throw Error("there is no checkpoint", checkpoint.string(),
-                "name the output directory of a run that has written one");
-  }
+  require_checkpoint(checkpoint);
   std::map<std::string, std::string> sections = read_checkpoint_file(checkpoint);
   const auto restored = [&](const std::string& section, auto&... objects) {
     restore(sections[section], checkpoint.string(), objects...);

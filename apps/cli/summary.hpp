@@ -67,6 +67,9 @@ class Summary {
   double wall_pressure() const { return wall_pressure_; }  ///< [M L^-1 T^-2]
   double cell_edge() const { return cell_edge_; }          ///< [L]
 
+  /// How many worked on the system.
+  std::size_t domains() const { return domains_; }
+
   const std::vector<WallSummary>& walls() const { return walls_; }
 
   const Seconds& seconds() const { return seconds_; }

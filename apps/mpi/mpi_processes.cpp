@@ -8,6 +8,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -22,7 +23,10 @@ constexpr std::size_t kMessage = std::size_t{1} << 30;
 
 void require_success(int code, const char* what) {
   if (code == MPI_SUCCESS) return;
-  throw RunFailure(std::string("MPI failed to ") + what);
+  std::array<char, MPI_MAX_ERROR_STRING> reason{};
+  int length = 0;
+  MPI_Error_string(code, reason.data(), &length);
+  throw RunFailure(std::string("MPI failed to ") + what + ": " + reason.data());
 }
 
 // Messages between the same two processes arrive in the order in which they were sent.
@@ -45,17 +49,19 @@ void wait_for(std::vector<MPI_Request>& requests) {
 
 }  // namespace
 
-bool MpiProcesses::are_several() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
-    const char* const value = std::getenv(name);
-    if (value && (std::string(name) == "PMIX_RANK" || std::atoi(value) > 1)) return true;
+bool MpiProcesses::may_be_several() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    if (const char* const size = std::getenv(name)) return std::atoi(size) > 1;
   }
-  return false;
+  return std::getenv("PMIX_RANK") != nullptr;
 }
 
 MpiProcesses::MpiProcesses() {
   int provided = 0;
   require_success(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided), "start");
+  if (provided < MPI_THREAD_FUNNELED) throw RunFailure("this MPI does not allow threads");
+  // Otherwise MPI itself would end the program where it fails.
+  MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
   int rank = 0;
   int size = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -11,14 +11,16 @@
 
 namespace hardball {
 
-/// The processes that mpirun has started. One object for the whole life of a program.
+/// The processes that mpirun has started. One object for the whole life of a program. All functions raise
+/// RunFailure where MPI fails.
 class MpiProcesses final : public Processes {
  public:
-  /// Whether several processes have been started: as the environment says, so that the program alone does
+  /// Whether several processes may have been started: as the environment says, so that the program alone does
   /// without MPI.
-  static bool are_several();
+  static bool may_be_several();
 
-  /// Joins the others. Threads of this process may run, but only the one that calls sends.
+  /// Joins the others. Threads of this process may run, but only the one that calls sends. Error: MPI does
+  /// not allow threads.
   MpiProcesses();
   MpiProcesses(const MpiProcesses&) = delete;
   MpiProcesses& operator=(const MpiProcesses&) = delete;

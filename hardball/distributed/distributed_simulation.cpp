@@ -76,10 +76,10 @@ void begin_paths(const World& empty, std::vector<Traveler>& brought, const Time&
 
 void check_can_be_distributed(const World& empty, const EngineOptions& options) {
   constexpr const char* kRemedy = "run it in one process";
-  if (empty.interactions().function())
-    throw Error("processes cannot share a response that is a function", "processes", kRemedy);
-  if (empty.interactions().may_merge())
-    throw Error("processes cannot share spheres that merge", "processes", kRemedy);
+  const std::string_view hindrance =
+      empty.motion().has_growth() ? "a growth" : what_prevents_division(empty.box(), empty.interactions());
+  if (!hindrance.empty())
+    throw Error("processes cannot share " + std::string(hindrance), "processes", kRemedy);
   if (options.engine == EngineKind::all_pairs || options.engine == EngineKind::paper) {
     const auto kind = static_cast<std::size_t>(options.engine);
     throw Error("the engine " + std::string(kEngineNames[kind]) + " has one process", "engine",
@@ -413,14 +413,6 @@ DistributedSimulation DistributedSimulation::load(Processes& processes, std::str
 
 DistributedSimulation DistributedSimulation::of(Processes& processes, const Simulation& whole,
                                                 std::size_t threads) {
-  if (whole.world().motion().has_growth())
-    throw Error("processes cannot share a growth", "processes", "resume it in one process");
-  if (whole.world().box().is_sheared())
-    throw Error("processes cannot share a sheared box", "processes", "resume it in one process");
-  if (whole.world().has_steps()) {
-    throw Error("processes cannot share spheres with potentials of steps", "processes",
-                "resume it in one process");
-  }
   EngineOptions options = whole.options();
   options.threads = threads;
   const World& world = whole.world();

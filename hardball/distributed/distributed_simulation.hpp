@@ -39,8 +39,8 @@ class DistributedSimulation {
 
   /// Starts with spheres of which each process brings some, with their ids; all are brought once. `empty`:
   /// the world without spheres. `options`: threads are those of each process. Error: in all processes; as for
-  /// Simulation; spheres merge, or the response is a function; the engine cannot be distributed; the box is
-  /// too small for so many processes.
+  /// Simulation; spheres merge, grow or have potentials of steps; the response is a function; the box is
+  /// sheared, or too small for so many processes; the engine cannot be distributed.
   DistributedSimulation(Processes& processes, World empty, std::vector<Traveler> brought,
                         const EngineOptions& options);
   DistributedSimulation(DistributedSimulation&& other) noexcept;
@@ -120,8 +120,7 @@ class DistributedSimulation {
   static DistributedSimulation load(Processes& processes, std::string_view saved,
                                     const std::vector<std::string>& blocks, std::size_t threads,
                                     const std::string& where);
-  /// Continues a simulation that all processes have loaded whole. Error: as for the constructor; spheres grow
-  /// or have potentials of steps, or the box is sheared.
+  /// Continues a simulation that all processes have loaded whole. Error: as for the constructor.
   static DistributedSimulation of(Processes& processes, const Simulation& whole, std::size_t threads);
   /// A simulation of one process from all blocks.
   static Simulation load_whole(std::string_view saved, const std::vector<std::string>& blocks,

@@ -75,6 +75,7 @@ class Engine {
     std::uint64_t contacts = 0;
     std::uint64_t steps = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
+    const Time until = within_range(limits.until);
     for (;;) {
       if (is_outdated_) [[unlikely]]
         return RunStatus::outdated;
@@ -84,7 +85,7 @@ class Engine {
         Slot next;
         do {
           keep_copies_good();
-          next = least_until(limits.until);
+          next = least_until(until);
           if (next == kNoOwner) return RunStatus::time_reached;
           if (steps++ == limits.steps) return RunStatus::steps_reached;
           prefetching_.prefetch_ahead(forecast_, queue_, observe);
@@ -106,7 +107,7 @@ class Engine {
   /// whether spheres that have just merged do so again. Precondition: not is_outdated().
   std::optional<Event> next_contact(const Time& until) {
     for (;;) {
-      const Slot next = least_until(until);
+      const Slot next = least_until(within_range(until));
       if (next == kNoOwner) return std::nullopt;
       if (!handle_without_contact(next)) return forecast_.contact_of(next);
     }

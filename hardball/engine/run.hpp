@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
+#include "hardball/geometry/range.hpp"
 #include "hardball/geometry/time.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/memory/function.hpp"
@@ -28,6 +30,12 @@ struct RunLimits {
   /// look up itself, a clock.
   Function<bool()> stop = {};
 };
+
+/// Until when events happen in a run up to `until`: a run without end ends with the operating range. There,
+/// by inelastic impacts, spheres may become slower and slower for ever.
+inline Time within_range(const Time& until) {
+  return std::min(until, Time(kLargestTime));
+}
 
 /// Why a run stopped.
 enum class RunStatus {

@@ -80,6 +80,7 @@ class PaperEngine {
   RunStatus run(const RunLimits& limits, Observe&& observe) {
     std::uint64_t contacts = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
+    const Time until = within_range(limits.until);
     for (std::uint64_t step = 0;; ++step) {
       if (is_outdated_) return RunStatus::outdated;
       if (!aftermath_.merged.empty()) {
@@ -91,8 +92,7 @@ class PaperEngine {
           continue;
         }
       }
-      if (event_tree_.empty() || event_tree_.begin()->time.high > limits.until.high)
-        return RunStatus::time_reached;
+      if (event_tree_.empty() || event_tree_.begin()->time.high > until.high) return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
       const Event event = *event_tree_.begin();
       if (handle_without_contact(event)) continue;
@@ -104,7 +104,8 @@ class PaperEngine {
 
   /// As Engine::next_contact.
   std::optional<Event> next_contact(const Time& until) {
-    while (!event_tree_.empty() && event_tree_.begin()->time.high <= until.high) {
+    const double end = within_range(until).high;
+    while (!event_tree_.empty() && event_tree_.begin()->time.high <= end) {
       const Event event = *event_tree_.begin();
       if (!handle_without_contact(event)) return event;
     }

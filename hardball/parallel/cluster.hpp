@@ -98,8 +98,8 @@ class Cluster {
   bool is_complete() const { return is_complete_; }
 
   /// Opens a window that ends no later than `end` and has at most so many contacts, of which it returns the
-  /// number. Precondition: `end` is finite and not before committed(); `most` is not zero; no window is open.
-  /// Error: RunFailure, and what engines throw; then no window is open.
+  /// number. Precondition: `end` is not before committed() nor after kLargestTime; `most` is not zero; no
+  /// window is open. Error: RunFailure, and what engines throw; then no window is open.
   std::uint64_t open_window(double end, std::uint64_t most, const Kept& kept) {
     watch_if_due();
     const double begin = committed_;
@@ -168,6 +168,22 @@ class Cluster {
 
   /// Watches all frontiers anew before the next window, as paths have been edited.
   void watch_anew() { horizon_ = -std::numeric_limits<double>::infinity(); }
+
+  /// Whether any event will ever happen.
+  bool has_events() const {
+    const bool own =
+        std::ranges::any_of(domains_, [](const auto& domain) { return domain->engine().has_events(); });
+    return std::ranges::max(processes().gather(own ? 1 : 0)) == 1;
+  }
+
+  /// Lets the domains in this process begin to add up contacts, each with an empty part of `sums`.
+  void clear_sums(const Sums& sums) {
+    each([part = sums.part()](Member& domain, std::size_t) { domain.clear_sums(part); });
+  }
+  /// Adds what they have added up since then.
+  void add_sums_to(Sums& sums) const {
+    for (const auto& domain : domains_) sums.add(domain->sums());
+  }
 
   /// Works on all domains, on several at once. Error: of the first that throws.
   template <class Work>
@@ -357,22 +373,31 @@ class Cluster {
     return earliest;
   }
 
-  // Error: one of those that execute it fails.
+  // Error: one of those that execute it fails; if several do, that of the domain that owns the first sphere,
+  // as a single engine would tell.
   void execute(const Event& next) {
-    std::string failure;
-    try {
-      each([&](Member& domain, std::size_t k) { domain.execute_if_next(peeked_[k], next); });
-    } catch (const RunFailure& failed) {
-      failure = failed.what();
-    } catch (...) {
-      undo();
-      throw;
+    std::vector<std::string> failures(size());
+    each_or_undo([&](Member& domain, std::size_t k) {
+      try {
+        domain.execute_if_next(peeked_[k], next);
+      } catch (const RunFailure& failure) {
+        failures[k] = failure.what();
+      }
+    });
+    std::string own;
+    bool owns_first = false;
+    for (std::size_t k = 0; k < size() && !owns_first; ++k) {
+      if (failures[k].empty()) continue;
+      owns_first = domains_[k]->owns(next.first);
+      if (own.empty() || owns_first) own = failures[k];
     }
-    for (const std::string& other : processes().gather(failure)) {
-      if (other.empty()) continue;
-      undo();
-      throw RunFailure(other);
-    }
+    std::vector<std::string> all = processes().gather(own);
+    if (std::ranges::all_of(all, &std::string::empty)) return;
+    const std::vector<char> own_first = processes().gather(static_cast<char>(owns_first));
+    undo();
+    auto told = std::ranges::find(own_first, 1) - own_first.begin();
+    if (told == std::ssize(all)) told = std::ranges::find_if_not(all, &std::string::empty) - all.begin();
+    throw RunFailure(all[static_cast<std::size_t>(told)]);
   }
 
   void note_failure(double length) {

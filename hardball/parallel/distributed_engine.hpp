@@ -18,6 +18,8 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/parallel/cluster.hpp"
 #include "hardball/parallel/division.hpp"
+#include "hardball/parallel/layout.hpp"
+#include "hardball/parallel/make_domains.hpp"
 #include "hardball/parallel/system_size.hpp"
 #include "hardball/parallel/thread_team.hpp"
 #include "hardball/parallel/traveler.hpp"
@@ -43,22 +45,25 @@ class DistributedEngine {
       : processes_(processes),
         empty_(std::move(empty)),
         phase_(phase),
-        division_(division),
+        layout_(division, processes.size()),
         team_(std::make_unique<ThreadTeam>(division.threads)) {
-    divide(std::move(brought), now);
+    const SystemSize size = size_of(brought, now);
+    spheres_ = size.spheres;
+    layout_.lay_out(empty_.box(), size, sample_centers(brought, now));
+    occupy(std::move(brought), now);
   }
 
   /// As Engine::run. Adds to `sums` the contacts that are counted in this process. If contacts are observed,
   /// the first process tells its observer of all, in order. Asks RunLimits::stop of the first process.
   RunStatus run(const RunLimits& limits, Sums& sums, bool is_observed, const Observe& observe) {
     const ThreadTeam::Pinned pinned(*team_);
-    clear_sums(sums);
+    cluster_->clear_sums(sums);
     try {
       const RunStatus status = run_windows(limits, sums, is_observed, observe);
-      collect(sums);
+      cluster_->add_sums_to(sums);
       return status;
     } catch (...) {
-      if (cluster_) collect(sums);  // otherwise it has failed to divide the system anew
+      if (cluster_) cluster_->add_sums_to(sums);  // otherwise it has failed to divide the system anew
       throw;
     }
   }
@@ -67,7 +72,7 @@ class DistributedEngine {
   /// before `moment` have been handled, and none after it.
   void change_velocities(const Time& moment, std::span<const VelocityEdit> edits) {
     // Crossings may have been handled that happen in the same double, but later.
-    if (now() > moment) divide_anew(moment);
+    if (now() > moment) occupy_anew(own_travelers(), moment);
     cluster_->each([&](Member& domain, std::size_t) {
       for (const VelocityEdit& edit : edits) domain.change_velocity(edit.id, edit.velocity, moment);
     });
@@ -113,7 +118,10 @@ class DistributedEngine {
     for (std::size_t k = 0; k < cluster_->size(); ++k) visit(cluster_->domain(k).world());
   }
   void validate() const {
-    for (std::size_t k = 0; k < cluster_->size(); ++k) cluster_->domain(k).engine().validate();
+    for (std::size_t k = 0; k < cluster_->size(); ++k) {
+      cluster_->domain(k).engine().validate();
+      cluster_->domain(k).validate();
+    }
   }
 
  private:
@@ -121,21 +129,12 @@ class DistributedEngine {
   using Domains = Cluster<DomainEngine, Sums>;
   using Member = typename Domains::Member;
 
-  // After so many windows, whether another division would pay.
-  static constexpr std::uint64_t kWindowsPerReview = 64;
-  // As late as a moment may be.
-  static constexpr double kLastMoment = 1e120;
-
-  void divide(std::vector<Traveler> brought, const Time& now, const Load* load = nullptr) {
-    const SystemSize size = size_of(brought, now);
-    spheres_ = size.spheres;
-    halo_ = size.halo(division_);
-    const std::vector<Vec3> centers = sample_centers(brought, size.spheres, now);
-    partition_ = partition_for(load ? centers_by_load(centers, partition_, *load) : centers);
-    next_review_ = kWindowsPerReview;
-    const DomainsOfProcess domains{partition_.size() / processes_.size()};
+  // Makes the domains of the layout that are in this process.
+  void occupy(std::vector<Traveler> brought, const Time& now) {
+    const Partition& partition = layout_.partition();
+    const DomainsOfProcess domains{partition.size() / processes_.size()};
     std::vector<Traveler> own = sent(brought, processes_, [&](const Traveler& traveler, const auto& send_to) {
-      send_to(domains.process_of(partition_.domain_at(position_of(traveler, now))));
+      send_to(domains.process_of(partition.domain_at(position_of(traveler, now))));
     });
     std::vector<Traveler>().swap(brought);
     Aftermath aftermath;
@@ -147,21 +146,11 @@ class DistributedEngine {
     world.insert_all(own.size(), [&](std::size_t k) { return own[k].state; });
     std::vector<Traveler>().swap(own);
     world.reorder(order_along_curve(world, now));
-    std::vector<DomainNumber> owners;
-    owners.reserve(world.size());
-    for (Slot slot = 0; slot < world.size(); ++slot)
-      owners.push_back(partition_.domain_at(world.position(slot, now)));
-    std::vector<std::unique_ptr<Member>> members(domains.each);
-    team_->for_each(members.size(), [&](std::size_t k) {
-      const auto make = [&](World part, const PhaseSettings& phase) {
-        return DomainEngine(std::move(part), Phase(phase), now, phase.instructions);
-      };
-      const auto number = static_cast<DomainNumber>(processes_.rank() * domains.each + k);
-      members[k] = std::make_unique<Member>(world, owners, now, partition_, number, halo_, phase_, make);
-      members[k]->take_over(aftermath);
-    });
-    cluster_ = std::make_unique<Domains>(std::move(members), now, size.windows(division_, partition_.size()),
-                                         team_->as_function(), Exchange(processes_, domains));
+    const auto first = static_cast<DomainNumber>(processes_.rank() * domains.each);
+    cluster_ = std::make_unique<Domains>(
+        make_domains<DomainEngine, Sums, Phase>(layout_, first, domains.each, world, now, aftermath, phase_,
+                                                team_->as_function()),
+        now, layout_.windows(), team_->as_function(), Exchange(processes_, domains));
   }
 
   Vec3 position_of(const Traveler& traveler, const Time& now) const {
@@ -172,21 +161,17 @@ class DistributedEngine {
 
   SystemSize size_of(const std::vector<Traveler>& brought, const Time& now) const {
     SystemSize own;
-    for (const Traveler& traveler : brought) {
-      ++own.spheres;
-      own.speeds += length(empty_.motion().velocity_at(traveler.state.path, now));
-      own.contact = std::max(own.contact, 2 * traveler.state.radius);
-    }
+    for (const Traveler& traveler : brought)
+      own.note(length(empty_.motion().velocity_at(traveler.state.path, now)), traveler.state.radius);
     SystemSize all;
     for (const SystemSize& other : processes_.gather(own)) all.add(other);
     return all;
   }
 
   // Enough centers to divide the whole evenly.
-  std::vector<Vec3> sample_centers(const std::vector<Traveler>& brought, std::uint64_t spheres,
-                                   const Time& now) const {
+  std::vector<Vec3> sample_centers(const std::vector<Traveler>& brought, const Time& now) const {
     constexpr std::uint64_t kSample = 1 << 18;
-    const std::uint64_t every = spheres / kSample + 1;
+    const std::uint64_t every = spheres_ / kSample + 1;
     std::vector<Vec3> own;
     for (const Traveler& traveler : brought) {
       if (traveler.state.id % every == 0) own.push_back(position_of(traveler, now));
@@ -196,43 +181,26 @@ class DistributedEngine {
     return centers;
   }
 
-  // With as many domains in each process as there are threads, or fewer if these had too many neighbors.
-  Partition partition_for(const std::vector<Vec3>& centers) const {
-    for (std::size_t each = division_.domains; each > 0; each /= 2) {
-      Partition partition = Partition::bisection(empty_.box(), each * processes_.size(), centers);
-      if (partition.most_neighbors(halo_.neighborhood()) <= kMaxNeighbors) return partition;
-    }
-    throw Error("the system is too small to be divided among " + to_text(processes_.size()) + " processes",
-                "processes", "use fewer");
-  }
-
   // What others must know of the spheres here: copies of those near domains in other processes.
   std::vector<Traveler> near_others(const std::vector<Traveler>& own, const DomainsOfProcess& domains,
                                     const Time& now) const {
     std::vector<std::vector<DomainNumber>> neighbors;
     for (std::size_t k = 0; k < domains.each; ++k) {
       const auto number = static_cast<DomainNumber>(processes_.rank() * domains.each + k);
-      neighbors.push_back(partition_.neighbors(number, halo_.neighborhood()));
+      neighbors.push_back(layout_.partition().neighbors(number, layout_.halo().neighborhood()));
     }
     std::vector<std::size_t> told;
     return sent(own, processes_, [&](const Traveler& traveler, const auto& send_to) {
       const Vec3 position = position_of(traveler, now);
       told.assign(1, processes_.rank());
-      for (const DomainNumber near : neighbors[partition_.domain_at(position) % domains.each]) {
+      for (const DomainNumber near : neighbors[layout_.partition().domain_at(position) % domains.each]) {
         const std::size_t process = domains.process_of(near);
         if (std::ranges::find(told, process) != told.end()) continue;
-        if (partition_.block(near).distance(position) > halo_.depth) continue;
+        if (layout_.partition().block(near).distance(position) > layout_.halo().depth) continue;
         told.push_back(process);
         send_to(process);
       }
     });
-  }
-
-  bool has_events() const {
-    bool has_events = false;
-    for (std::size_t k = 0; k < cluster_->size(); ++k)
-      has_events |= cluster_->domain(k).engine().has_events();
-    return std::ranges::max(processes_.gather(has_events ? 1 : 0)) == 1;
   }
 
   // Whether the first process is told to stop.
@@ -240,38 +208,35 @@ class DistributedEngine {
     return processes_.gather(processes_.is_first() && limits.stop && limits.stop() ? 1 : 0).front() == 1;
   }
 
-  void clear_sums(const Sums& sums) {
-    cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
-  }
-  void collect(Sums& sums) const {
-    for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
-  }
-
-  // Divides the system anew if that pays.
-  void review_division(Sums& sums) {
-    const std::uint64_t windows = cluster_->window_counters().windows;
-    if (windows < next_review_ || partition_.size() == 1) return;
-    next_review_ = windows + kWindowsPerReview;
-    const Load load = cluster_->load();
-    const bool becomes_deeper = load.has_shallow_halos() && deepen(division_, partition_, halo_);
-    if (!becomes_deeper && !load.is_uneven(spheres_)) return;
-    collect(sums);
-    divide_anew(cluster_->now(), &load);
-    clear_sums(sums);
-  }
-
-  // Precondition: nothing but crossings has been handled since `moment`.
-  void divide_anew(const Time& moment, const Load* load = nullptr) {
-    counters_ = counters();
-    ++counters_.rebuilds;
-    windows_ = window_counters();
-    empty_.note_passage(last_passage());
+  std::vector<Traveler> own_travelers() const {
     std::vector<Traveler> own;
     for_each_own([&](const World& world, Slot slot, std::uint32_t idle_contacts) {
       own.push_back({world.state_of(slot), idle_contacts});
     });
-    cluster_.reset();
-    divide(std::move(own), moment, load);
+    return own;
+  }
+
+  // Divides the system anew if that pays.
+  void review_division(Sums& sums) {
+    if (!layout_.is_review_due(cluster_->window_counters().windows)) return;
+    const Load load = cluster_->load();
+    if (!layout_.may_improve(load, spheres_)) return;
+    const Time now = cluster_->now();
+    std::vector<Traveler> own = own_travelers();
+    if (!layout_.improve(load, empty_.box(), size_of(own, now), sample_centers(own, now))) return;
+    cluster_->add_sums_to(sums);
+    occupy_anew(std::move(own), now);
+    cluster_->clear_sums(sums);
+  }
+
+  // Precondition: nothing but crossings has been handled since `moment`.
+  void occupy_anew(std::vector<Traveler> own, const Time& moment) {
+    counters_ = counters();
+    ++counters_.rebuilds;
+    windows_ = window_counters();
+    empty_.note_passage(last_passage());
+    cluster_.reset();  // so that there is memory for others
+    occupy(std::move(own), moment);
   }
 
   RunStatus run_windows(const RunLimits& limits, Sums& sums, bool is_observed, const Observe& observe) {
@@ -279,8 +244,8 @@ class DistributedEngine {
     while (contacts > 0) {
       if (is_told_to_stop(limits)) return RunStatus::stopped;
       const bool has_end = std::isfinite(limits.until.high);
-      if (!has_end && !has_events()) return RunStatus::time_reached;
-      const double end = has_end ? limits.until.high : kLastMoment;
+      if (!has_end && !cluster_->has_events()) return RunStatus::time_reached;
+      const double end = within_range(limits.until).high;
       contacts -= cluster_->open_window(end, contacts, {.log = is_observed});
       if (is_observed) deliver(observe);
       cluster_->commit_window();
@@ -319,11 +284,8 @@ class DistributedEngine {
   Processes& processes_;
   World empty_;
   PhaseSettings phase_;
-  Division division_;
-  std::uint64_t spheres_ = 0;
-  Halo halo_;
-  Partition partition_;
-  std::uint64_t next_review_ = 0;
+  std::uint64_t spheres_ = 0;  // in all processes
+  Layout layout_;
   Counters counters_;  // of earlier divisions
   WindowCounters windows_;
   std::unique_ptr<ThreadTeam> team_;

@@ -3,6 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
+
+#include "hardball/interaction/interactions.hpp"
+#include "hardball/world/box.hpp"
 
 namespace hardball {
 
@@ -15,5 +19,9 @@ struct Division {
                                 ///< to twice as many in small domains.
   double first_window = 0.001;  ///< The first window: so many radii at the mean speed [1].
 };
+
+/// What domains cannot share of a system in this box whose spheres interact so, as in "spheres that merge";
+/// empty if there is nothing.
+std::string_view what_prevents_division(const Box& box, const Interactions& interactions);
 
 }  // namespace hardball

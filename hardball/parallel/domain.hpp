@@ -64,6 +64,10 @@ class Domain {
   Engine& engine() { return engine_; }
   const World& world() const { return engine_.world(); }
   const Residents& residents() const { return residents_; }
+  bool owns(SphereId sphere) const {
+    const std::optional<Slot> slot = world().find(sphere);
+    return slot && residents_.is_own(*slot);
+  }
   const Frontier& frontier() const { return frontier_; }
   /// Continues for other engines.
   void take_over(const Aftermath& aftermath) {

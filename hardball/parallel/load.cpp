@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "hardball/parallel/residents.hpp"
-
 namespace hardball {
 
 std::uint64_t Load::waited() const {
@@ -23,17 +21,6 @@ bool Load::is_uneven(std::uint64_t spheres) const {
 bool Load::has_shallow_halos() const {
   constexpr std::uint64_t kFew = 32;
   return kFew * windows.failed > windows.windows;
-}
-
-bool deepen(Division& division, const Partition& partition, const Halo& halo) {
-  constexpr double kStep = 0.25;
-  constexpr double kDeepest = 4;
-  Division deeper = division;
-  deeper.halo += kStep;
-  const double neighborhood = deeper.halo / division.halo * halo.neighborhood();
-  if (deeper.halo > kDeepest || partition.most_neighbors(neighborhood) > kMaxNeighbors) return false;
-  division = deeper;
-  return true;
 }
 
 std::vector<Vec3> centers_by_load(std::span<const Vec3> centers, const Partition& partition,

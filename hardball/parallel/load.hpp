@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "hardball/geometry/vec3.hpp"
-#include "hardball/parallel/division.hpp"
-#include "hardball/parallel/halo.hpp"
 #include "hardball/parallel/partition.hpp"
 #include "hardball/parallel/window_counters.hpp"
 
@@ -27,10 +25,6 @@ struct Load {
   /// Whether so many windows fail that deeper halos cost less.
   bool has_shallow_halos() const;
 };
-
-/// Makes the halos of a division deeper by a quarter of a diameter. Returns false, and changes nothing, if
-/// they are as deep as is reasonable or a domain would have too many neighbors.
-bool deepen(Division& division, const Partition& partition, const Halo& halo);
 
 /// Centers from which a partition would make blocks that have as many contacts: each of these as often as
 /// spheres of its domain have contacts, relative to others. Cost: O(n log(domains)).

@@ -22,6 +22,8 @@
 #include "hardball/execution/follow.hpp"
 #include "hardball/parallel/cluster.hpp"
 #include "hardball/parallel/division.hpp"
+#include "hardball/parallel/layout.hpp"
+#include "hardball/parallel/make_domains.hpp"
 #include "hardball/parallel/system_size.hpp"
 #include "hardball/parallel/thread_team.hpp"
 #include "hardball/world/audit.hpp"
@@ -40,18 +42,15 @@ class ParallelEngine {
   /// Takes over a world as it is at `now`. Precondition: as for Engine; spheres do not merge, and the
   /// response is no function, which might not bear being called by several threads at once.
   ParallelEngine(World world, const PhaseSettings& phase, const Division& settings, const Time& now)
-      : settings_(settings), phase_(phase), world_(std::move(world)), team_(new_team()) {
+      : phase_(phase), world_(std::move(world)), team_(new_team(settings.threads)), layout_(settings) {
     divide(now);
   }
   ParallelEngine(const ParallelEngine& other)
-      : settings_(other.settings_),
-        phase_(other.phase_),
+      : phase_(other.phase_),
         world_(other.world_),
-        team_(new_team()),
+        team_(new_team(other.team_->size())),
+        layout_(other.layout_),
         cluster_(std::make_unique<Domains>(*other.cluster_, team_->as_function())),
-        halo_(other.halo_),
-        partition_(other.partition_),
-        next_review_(other.next_review_),
         counters_(other.counters_),
         windows_before_(other.windows_before_),
         aftermath_(other.aftermath_),
@@ -89,7 +88,8 @@ class ParallelEngine {
     return all;
   }
   static bool supports(const World& world, double length) {
-    return Phase::supports(world, length) && !world.interactions().may_merge();
+    return Phase::supports(world, length) &&
+           what_prevents_division(world.box(), world.interactions()).empty();
   }
   /// Calls work(k) for each k below `count`, in all threads, and returns when all have returned.
   /// Precondition: `work` does not throw.
@@ -101,7 +101,7 @@ class ParallelEngine {
   PhaseLengths lengths() const { return cluster_->domain(0).engine().lengths(); }
   std::size_t domains() const { return cluster_->size(); }
   /// The blocks of the domains.
-  const Partition& partition() const { return partition_; }
+  const Partition& partition() const { return layout_.partition(); }
   /// Of all divisions so far.
   WindowCounters window_counters() const { return windows_before_ + cluster_->window_counters(); }
   /// The time up to which events have been handled.
@@ -133,13 +133,13 @@ class ParallelEngine {
     const ThreadTeam::Pinned pinned(*team_);
     keep_for_rewind();
     if (observer.needs_world()) return run_windows(limits, sums, observer);
-    clear_sums(sums);
+    cluster_->clear_sums(sums);
     try {
       const RunStatus status = run_windows(limits, sums, observer);
-      collect(sums);
+      cluster_->add_sums_to(sums);
       return status;
     } catch (...) {
-      collect(sums);
+      cluster_->add_sums_to(sums);
       throw;
     }
   }
@@ -147,8 +147,8 @@ class ParallelEngine {
   /// As Engine::next_contact.
   std::optional<Event> next_contact(const Time& until) {
     const ThreadTeam::Pinned pinned(*team_);
-    if (!std::isfinite(until.high) && is_idle()) return std::nullopt;
-    const Event next = cluster_->next_contact(std::min(until.high, kLastMoment));
+    if (!std::isfinite(until.high) && !cluster_->has_events()) return std::nullopt;
+    const Event next = cluster_->next_contact(within_range(until).high);
     return next.happens() ? std::optional(next) : std::nullopt;
   }
 
@@ -177,10 +177,10 @@ class ParallelEngine {
       world_.undo_add();
       throw;
     }
-    if (2 * sphere.radius > halo_.contact) outdate();
+    if (2 * sphere.radius > layout_.halo().contact) outdate();
     if (is_outdated_) return id;
     const SphereState state = world_.state_of(slot);
-    const DomainNumber owner = partition_.domain_at(state.path.position);
+    const DomainNumber owner = partition().domain_at(state.path.position);
     cluster_->each([&](auto& domain, std::size_t) {
       domain.add(state, owner, moment);
       domain.make_ready();
@@ -225,11 +225,7 @@ class ParallelEngine {
 
   /// As Engine::rebuild; divides the world anew.
   void rebuild(const Time& now, const PhaseSettings& settings) {
-    outdate();
-    Counters work = counters();
-    ++work.rebuilds;
-    counters_ = work;
-    windows_before_ = window_counters();
+    end_division();
     phase_ = settings;
     divide(now);
   }
@@ -247,7 +243,10 @@ class ParallelEngine {
 
   void validate() const {
     if (is_outdated_) return;
-    for (std::size_t k = 0; k < cluster_->size(); ++k) cluster_->domain(k).engine().validate();
+    for (std::size_t k = 0; k < cluster_->size(); ++k) {
+      cluster_->domain(k).engine().validate();
+      if (!is_open_) cluster_->domain(k).validate();
+    }
   }
 
  private:
@@ -263,46 +262,40 @@ class ParallelEngine {
     std::atomic<bool> is_done{true};  // whether the world is up to date
   };
 
-  // After so many windows, whether another division would pay.
-  static constexpr std::uint64_t kWindowsPerReview = 64;
-  // As late as a moment may be.
-  static constexpr double kLastMoment = 1e120;
+  static std::unique_ptr<ThreadTeam> new_team(std::size_t threads) {
+    return std::make_unique<ThreadTeam>(threads);
+  }
 
-  std::unique_ptr<ThreadTeam> new_team() const { return std::make_unique<ThreadTeam>(settings_.threads); }
-
+  // Precondition: the world is up to date.
   void divide(const Time& now) {
-    SystemSize size;
-    size.note(world_, now);
-    halo_ = size.halo(settings_);
+    layout_.lay_out(world_.box(), SystemSize::of(world_, now), centers(now));
+    occupy(now);
+  }
+
+  std::vector<Vec3> centers(const Time& now) const {
     std::vector<Vec3> centers;
     centers.reserve(world_.size());
     for (Slot slot = 0; slot < world_.size(); ++slot) centers.push_back(world_.position(slot, now));
-    partition_ = partition_of(load_ ? centers_by_load(centers, partition_, *load_) : centers);
-    next_review_ = kWindowsPerReview;
-    std::vector<DomainNumber> owners;
-    owners.reserve(centers.size());
-    for (const Vec3& center : centers) owners.push_back(partition_.domain_at(center));
-    std::vector<std::unique_ptr<typename Domains::Member>> domains(partition_.size());
-    const auto make = [&](World world, const PhaseSettings& phase) {
-      return DomainEngine(std::move(world), Phase(phase), now, phase.instructions);
-    };
-    team_->for_each(partition_.size(), [&](std::size_t number) {
-      domains[number] = std::make_unique<typename Domains::Member>(
-          world_, owners, now, partition_, static_cast<DomainNumber>(number), halo_, phase_, make);
-    });
-    cluster_ = std::make_unique<Domains>(std::move(domains), now, size.windows(settings_, partition_.size()),
-                                         team_->as_function());
-    take_over(aftermath_);
+    return centers;
+  }
+
+  // Makes the domains of the layout.
+  void occupy(const Time& now) {
+    cluster_ = std::make_unique<Domains>(
+        make_domains<DomainEngine, Sums, Phase>(layout_, 0, partition().size(), world_, now, aftermath_,
+                                                phase_, team_->as_function()),
+        now, layout_.windows(), team_->as_function());
     is_outdated_ = false;
     gathering_->is_done = true;
   }
 
-  // As many domains as wanted, but none with too many neighbors.
-  Partition partition_of(std::span<const Vec3> centers) const {
-    for (std::size_t count = settings_.domains;; count /= 2) {
-      Partition partition = Partition::bisection(world_.box(), std::max<std::size_t>(count, 1), centers);
-      if (partition.most_neighbors(halo_.neighborhood()) <= kMaxNeighbors) return partition;
-    }
+  // Keeps what the domains have been doing, as others follow.
+  void end_division() {
+    outdate();
+    Counters work = counters();
+    ++work.rebuilds;
+    counters_ = work;
+    windows_before_ = window_counters();
   }
 
   // What is there before anything happens in a look ahead.
@@ -347,20 +340,6 @@ class ParallelEngine {
     gathering_->is_done = true;
   }
 
-  bool is_idle() {
-    bool has_events = false;
-    for (std::size_t k = 0; k < cluster_->size(); ++k)
-      has_events |= cluster_->domain(k).engine().has_events();
-    return !has_events;
-  }
-
-  void clear_sums(const Sums& sums) {
-    cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
-  }
-  void collect(Sums& sums) const {
-    for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
-  }
-
   RunStatus run_windows(const RunLimits& limits, Sums& sums, const ContactObserver& observer) {
     std::uint64_t contacts = limits.contacts;
     std::uint64_t steps = limits.steps;
@@ -368,8 +347,8 @@ class ParallelEngine {
       if (is_outdated_) return RunStatus::outdated;
       if (steps == 0) return RunStatus::steps_reached;
       const bool has_end = std::isfinite(limits.until.high);
-      if (!has_end && is_idle()) return RunStatus::time_reached;
-      const double end = has_end ? limits.until.high : kLastMoment;
+      if (!has_end && !cluster_->has_events()) return RunStatus::time_reached;
+      const double end = within_range(limits.until).high;
       const Counters before = counters();
       const bool continues = run_window(end, contacts, sums, observer);
       const Counters done = counters() - before;
@@ -385,17 +364,16 @@ class ParallelEngine {
 
   // Divides the system anew if that pays. The domains may have added up contacts.
   void review_division(Sums& sums, bool have_sums) {
-    const std::uint64_t windows = cluster_->window_counters().windows;
-    if (windows < next_review_ || cluster_->size() == 1) return;
-    next_review_ = windows + kWindowsPerReview;
-    Load load = cluster_->load();
-    const bool becomes_deeper = load.has_shallow_halos() && deepen(settings_, partition_, halo_);
-    if (!becomes_deeper && !load.is_uneven(world_.size())) return;
-    if (have_sums) collect(sums);
-    load_ = std::move(load);
-    rebuild(cluster_->now(), phase_);
-    load_.reset();
-    if (have_sums) clear_sums(sums);
+    if (!layout_.is_review_due(cluster_->window_counters().windows)) return;
+    const Load load = cluster_->load();
+    if (!layout_.may_improve(load, world_.size())) return;
+    const Time now = cluster_->now();
+    gather();
+    if (!layout_.improve(load, world_.box(), SystemSize::of(world_, now), centers(now))) return;
+    if (have_sums) cluster_->add_sums_to(sums);
+    end_division();
+    occupy(now);
+    if (have_sums) cluster_->clear_sums(sums);
   }
 
   // Runs through one window; false if the observer has stopped the run.
@@ -471,15 +449,11 @@ class ParallelEngine {
     open_counts_ = {};
   }
 
-  Division settings_;
   PhaseSettings phase_;
   mutable World world_;
   std::unique_ptr<ThreadTeam> team_;
+  Layout layout_;
   std::unique_ptr<Domains> cluster_;
-  Halo halo_;
-  Partition partition_;
-  std::optional<Load> load_;  // while it is divided anew
-  std::uint64_t next_review_ = 0;
   Counters counters_;  // of earlier divisions
   WindowCounters windows_before_;
   Aftermath aftermath_;  // while outdated

@@ -14,17 +14,24 @@
 
 namespace hardball {
 
-/// What halos and windows follow from: sums over spheres, which may be held in several places.
+/// What the depth of halos and the length of windows follow from. Its parts may be in several places.
 struct SystemSize {
   std::uint64_t spheres = 0;
   double speeds = 0;   ///< Their sum [L/T].
   double contact = 0;  ///< The largest distance of two centers at a contact [L].
 
-  /// Adds the spheres of a world as they are at `moment`. Cost: O(n).
-  void note(const World& world, const Time& moment) {
-    spheres += world.size();
-    contact = std::max(contact, 2 * world.largest_bounding_radius() * world.room_to_grow());
-    for (Slot slot = 0; slot < world.size(); ++slot) speeds += length(world.velocity(slot, moment));
+  /// Of the spheres of a world as they are at `moment`. Cost: O(n).
+  static SystemSize of(const World& world, const Time& moment) {
+    SystemSize size{.spheres = world.size(),
+                    .contact = 2 * world.largest_bounding_radius() * world.room_to_grow()};
+    for (Slot slot = 0; slot < world.size(); ++slot) size.speeds += length(world.velocity(slot, moment));
+    return size;
+  }
+  /// Adds a sphere with this speed [L/T] and radius [L].
+  void note(double speed, double radius) {
+    ++spheres;
+    speeds += speed;
+    contact = std::max(contact, 2 * radius);
   }
   void add(const SystemSize& other) {
     spheres += other.spheres;

@@ -77,7 +77,7 @@ Division as_pays(std::size_t spheres) {
 }  // namespace
 
 Division choose_division(const World& world, const EngineOptions& options) {
-  if (world.interactions().may_merge() || world.has_steps() || world.box().is_sheared()) return {};
+  if (!what_prevents_division(world.box(), world.interactions()).empty()) return {};
   if (options.division) return *options.division;
   if (options.threads == 0) return as_pays(world.size());
   return {.domains = options.threads, .threads = options.threads};
@@ -105,13 +105,10 @@ void check(const EngineOptions& options) {
 }
 
 void check_threads(const EngineOptions& options, const Box& box, const Interactions& interactions) {
-  const bool has_steps = !interactions.steps().empty();
-  if (options.threads <= 1 || !(interactions.may_merge() || has_steps || box.is_sheared())) return;
-  throw Error(interactions.function()    ? "threads cannot share a response that is a function"
-              : interactions.may_merge() ? "threads cannot share spheres that merge"
-              : has_steps                ? "threads cannot share spheres with potentials of steps"
-                                         : "threads cannot share a sheared box",
-              "threads", "use one thread, or as many as pay");
+  const std::string_view hindrance = what_prevents_division(box, interactions);
+  if (options.threads <= 1 || hindrance.empty()) return;
+  throw Error("threads cannot share " + std::string(hindrance), "threads",
+              "use one thread, or as many as pay");
 }
 
 EngineKind choose_engine(const World& world, const GasStatistics& statistics, const EngineOptions& options,

@@ -233,7 +233,8 @@ class Processes(unittest.TestCase):
 
     def test_what_processes_cannot_share_is_refused(self):
         scenario = self.scenario(GAS)
-        for change, name in (("growth.rate=0.1", "growth"), ("response.kind=\"merge\"", "merge")):
+        for change, name in (("growth.rate=0.1", "growth"), ("response.kind=\"merge\"", "spheres that merge"),
+                             ("box.shear_rate=0.1", "sheared")):
             done = run(["run", scenario, "--out", str(self.folder / "refused"), "--set", change], 2,
                        succeeds=False)
             messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
@@ -242,6 +243,23 @@ class Processes(unittest.TestCase):
             self.assertFalse((self.folder / "refused").exists())
         done = run(["check", scenario], 2, succeeds=False)
         self.assertIn("several processes", done.stderr)
+
+    def test_one_process_is_as_without_mpirun(self):
+        scenario = self.scenario(GAS)
+        directory = self.folder / "one"
+        done = run(["run", scenario, "--out", str(directory), "--until", "0.2", "--set", "growth.rate=0.01"], 1)
+        self.assertNotIn("leave out", done.stderr)
+        self.assertTrue((directory / "report.html").exists())
+
+    def test_what_is_not_there_cannot_be_resumed(self):
+        done = run(["resume", str(self.folder / "nothing")], 2, succeeds=False)
+        self.assertIn("there is no checkpoint", done.stderr)
+        scenario = self.scenario(GAS)
+        directory = self.folder / "robbed"
+        run(["run", scenario, "--out", str(directory), "--until", "0.2"], 2)
+        (directory / "events.npy").unlink()
+        done = run(["resume", str(directory), "--until", "0.3"], 2, succeeds=False)
+        self.assertIn("events.npy is gone", done.stderr)
 
     def test_a_file_that_cannot_be_written_ends_all(self):
         scenario = self.scenario(GAS)

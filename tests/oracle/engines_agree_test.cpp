@@ -121,6 +121,29 @@ TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
   }
 }
 
+// Two spheres become slower with each impact, for ever: no engine goes beyond the operating range.
+TEST(InelasticCollapse, RunsWithoutEndEndWithTheOperatingRange) {
+  World world(Box::walls({16, 4, 4}));
+  world.add({.position = {8.625, 2, 2}, .velocity = {-1, 0, 0}, .radius = 0.5});
+  world.add({.position = {7.375, 2, 2}, .velocity = {1, 0, 0}, .radius = 0.5});
+  world.set_interactions(Restitution(0.05));
+  std::vector<support::EngineVariant> variants = support::engine_variants(world);
+  variants.push_back({{.division = Division{.domains = 2}}, "domains"});
+  std::optional<History> expected;
+  for (const support::EngineVariant& variant : variants) {
+    SCOPED_TRACE(variant.name);
+    Simulation simulation(world, variant.options);
+    const History history = support::run_on(simulation, {.contacts = 1000});
+    EXPECT_GT(history.contacts, 100U);
+    EXPECT_LT(history.contacts, 1000U);
+    EXPECT_LE(simulation.time(), kLargestTime);
+    EXPECT_GT(simulation.time(), 1e-3 * kLargestTime);
+    EXPECT_FALSE(simulation.next_contact());
+    if (!expected) expected = history;
+    ASSERT_EQ(support::difference(*expected, history), "");
+  }
+}
+
 // What the message of a collapse recommends.
 TEST(InelasticCollapse, IsAvoidedIfSlowOrRapidImpactsAreElastic) {
   World world(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {8, 3, 0}));

@@ -354,6 +354,29 @@ TEST(HardCasesForDomains, InelasticCollapses) {
   EXPECT_NE(history.failure, "");
 }
 
+// Spheres of different owners collapse at the same contact: that with the lower id is named, although its
+// domain has the higher number.
+TEST(HardCasesForDomains, CollapsesOfBothSpheresOfAContact) {
+  World world(Box::walls({16, 4, 4}));
+  world.add({.position = {8.5, 2, 2}, .velocity = {-1, 0, 0}, .radius = 0.5});
+  world.add({.position = {7.5, 2, 2}, .velocity = {1, 0, 0}, .radius = 0.5});
+  world.set_interactions(Restitution(0.5));
+  Aftermath before;
+  for (const SphereId sphere : {0U, 1U}) before.collapse.set_idle_contacts(sphere, 9999);
+  ParallelEngine<CalendarQueue, CellGrid, ContactSums> engine(world, PhaseSettings(1.5),
+                                                              {.domains = 2, .halo = 1.05}, Time(0));
+  ASSERT_EQ(engine.partition().domain_at({8.5, 2, 2}), 1U);
+  ASSERT_EQ(engine.partition().domain_at({7.5, 2, 2}), 0U);
+  engine.take_over(before);
+  ContactSums sums;
+  try {
+    engine.run({.until = Time(1)}, sums, {});
+    FAIL() << "no collapse";
+  } catch (const RunFailure& failure) {
+    EXPECT_EQ(std::string(failure.what()).find("inelastic collapse: sphere 0 was hit"), 0U) << failure.what();
+  }
+}
+
 // Windows of many contacts for each sphere fail again and again, until single steps lead on.
 TEST(HardCasesForDomains, WindowsThatAreFarTooLong) {
   using Divided = ParallelEngine<CalendarQueue, CellGrid, ContactSums>;

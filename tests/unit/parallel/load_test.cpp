@@ -33,20 +33,6 @@ TEST(Load, HasShallowHalosWhereManyWindowsFail) {
   EXPECT_TRUE((Load{{1, 1}, {.windows = 320, .failed = 11}}.has_shallow_halos()));
 }
 
-TEST(Load, DeepensHalosByStepsWhileNeighborsAreFew) {
-  const Box box = Box::periodic({20, 10, 10});
-  const Partition partition = Partition::bisection(box, 4, random_centers(1000));
-  Division division{.domains = 4, .halo = 3.7};
-  EXPECT_TRUE(deepen(division, partition, {3.7, 0.5, 1}));
-  EXPECT_DOUBLE_EQ(division.halo, 3.95);
-  EXPECT_FALSE(deepen(division, partition, {3.95, 0.5, 1}));
-  EXPECT_DOUBLE_EQ(division.halo, 3.95);
-  // In many thin blocks, more would concern each other than a domain can tell apart.
-  const Partition thin = Partition::bisection(box, 64, random_centers(1000));
-  Division shallow{.domains = 64, .halo = 1.1};
-  EXPECT_FALSE(deepen(shallow, thin, {1.1, 0.5, 1}));
-}
-
 // The blocks that are made have the same load, if spheres of a domain are alike.
 TEST(Load, MovesCutsToWhereContactsAre) {
   const Box box = Box::periodic({20, 10, 10});
