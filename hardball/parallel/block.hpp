@@ -69,7 +69,7 @@ class Block {
   }
 
   /// How far a point is outside [L], by the axis along which it is farthest; negative inside, minus infinity
-  /// if no axis is divided. Precondition: it is less than a box away from the box.
+  /// if no axis is divided. Precondition: it is inside the box, along axes that are periodic.
   double distance(const Vec3& point) const {
     double most = -kInfinity;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -43,6 +43,7 @@ class BlockDistances {
     }
   }
 
+  /// Precondition: as of Block::distance. Cost: O(blocks).
   void find(const Vec3& point, Distances& distances) const {
     std::fill_n(distances.begin(), count_, -kInfinity);
     for (const Interval& interval : intervals_) {

@@ -79,7 +79,7 @@ class Cluster {
   const Counters& counted() const { return counted_; }
   /// How many contacts the open window has.
   std::uint64_t open_contacts() const { return open_.contacts.contacts(); }
-  /// What has been done since the start.
+  /// What has been done since the start, by all domains. Cost: a message to each process.
   Load load() const {
     Load load{{}, window_counters_};
     for (const std::string& part : processes().gather(bytes_of(done_))) append_bytes(part, load.contacts);
@@ -87,7 +87,7 @@ class Cluster {
   }
   /// Up to which all has happened [T].
   double committed() const { return committed_; }
-  /// The same, with the last of the events that round to it.
+  /// The same, with the last of the events that round to it. Cost: O(domains), and a message to each process.
   Time now() const {
     Time now = domains_.front()->begin();
     for (const auto& domain : domains_) now = later(now, domain->begin());

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <span>
 #include <string>
@@ -257,22 +256,13 @@ class DistributedEngine {
 
   // Tells the first process of the contacts of the open window.
   void deliver(const Observe& observe) {
-    std::string own;
+    // By domain.
+    std::vector<std::vector<LoggedContact>> logs(processes_.is_first() ? layout_.partition().size() : 0);
     for (std::size_t k = 0; k < cluster_->size(); ++k) {
-      const std::span<const LoggedContact> log = cluster_->domain(k).log();
-      const std::uint64_t count = log.size();
-      own.append(reinterpret_cast<const char*>(&count), sizeof(count));
-      own.append(reinterpret_cast<const char*>(log.data()), log.size_bytes());
-    }
-    std::vector<std::vector<LoggedContact>> logs;
-    for (const std::string& part : processes_.gather_in_first(std::move(own))) {
-      for (std::size_t at = 0; at < part.size();) {
-        std::uint64_t count = 0;
-        std::memcpy(&count, part.data() + at, sizeof(count));
-        at += sizeof(count);
-        std::vector<LoggedContact>& log = logs.emplace_back(count);
-        if (count > 0) std::memcpy(log.data(), part.data() + at, count * sizeof(LoggedContact));
-        at += count * sizeof(LoggedContact);
+      std::size_t domain = k;
+      for (const std::string& log : processes_.gather_in_first(bytes_of(cluster_->domain(k).log()))) {
+        append_bytes(log, logs[domain]);
+        domain += cluster_->size();
       }
     }
     MergedLog merged({logs.begin(), logs.end()});

@@ -12,8 +12,8 @@ namespace hardball {
 
 /// How a system is divided among domains. It changes the speed and never the motion.
 struct Division {
-  std::size_t domains = 1;
-  std::size_t threads = 1;
+  std::size_t domains = 1;      ///< In each process; half as many, again and again, if the box is too small.
+  std::size_t threads = 1;      ///< In which they work, of each process.
   double halo = 1.75;           ///< Depth of halos, in diameters of the largest sphere; above one [1].
   double window = 0.02;         ///< Contacts for each sphere in a window, two spheres being in each [1]; up
                                 ///< to twice as many in small domains.

@@ -90,6 +90,7 @@ class Domain {
   }
   /// Of this window, the contacts of own spheres, if they are kept.
   std::span<const LoggedContact> log() const { return log_; }
+  /// What becomes of the contacts of the next windows: whether they are kept in a log, and added up.
   void keep_log(bool is_kept, bool is_summed) {
     is_log_kept_ = is_kept;
     is_summed_ = is_summed;

@@ -41,17 +41,14 @@ void Domain<Engine, Sums>::receive(std::span<const Outbox* const> inboxes) {
   arriving_.clear();
   for (const Outbox* inbox : inboxes) {
     for (const Arrival& arrival : inbox->arrivals) {
-      if (residents_.find_ghost(arrival.sphere.id) == IdMap::kNone) arriving_.push_back(arrival.sphere);
+      HARDBALL_CHECK(residents_.find_ghost(arrival.sphere.id) == IdMap::kNone);
+      arriving_.push_back(arrival.sphere);
     }
   }
   engine_.put(arriving_, begin_);
-  std::size_t next = 0;
   for (const Outbox* inbox : inboxes) {
-    for (const Arrival& arrival : inbox->arrivals) {
-      if (next == arriving_.size() || arriving_[next].id != arrival.sphere.id) continue;
+    for (const Arrival& arrival : inbox->arrivals)
       residents_.add_ghost(arrival.sphere.id, neighbor_number(arrival.owner));
-      ++next;
-    }
   }
   for (const Outbox* inbox : inboxes) {
     for (const NewOwner& change : inbox->new_owners) {

@@ -62,9 +62,12 @@ class Frontier {
     }
   }
 
+  /// Of the domain, in the order of numbers: those whose blocks are in Halo::neighborhood.
   const std::vector<DomainNumber>& neighbors() const { return neighbors_; }
+  /// Of the domain.
   const Block& block() const { return block_; }
   const Halo& halo() const { return halo_; }
+  /// Of a point inside the box. Cost: O(neighbors).
   Distances distances(const Vec3& point) const {
     Distances distances;
     distances.own = block_.distance(point);

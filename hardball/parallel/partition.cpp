@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "hardball/geometry/extent.hpp"
+
 namespace hardball {
 namespace {
 
-struct Extent {
-  Vec3 low;
-  Vec3 high;
-};
-
 Extent extent_of(const Box& box, std::span<const Vec3> centers) {
-  Extent extent;
+  Extent extent{{}, {}};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (box.is_bounded(axis)) {
       extent.low[axis] = 0;

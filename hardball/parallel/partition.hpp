@@ -23,9 +23,9 @@ class Partition {
   /// Equal parts along each axis, of the box, or along axes without ends of what the centers [L] take up.
   static Partition grid(const Box& box, const std::array<std::size_t, kAxes>& parts,
                         std::span<const Vec3> centers);
-  /// So many blocks that hold about equally many of these centers [L]. They are cut in two again and again,
-  /// across the longest edge of what the centers take up. Precondition: `count` is not zero. Cost:
-  /// O(n log(count)).
+  /// This number of blocks that hold about equally many of these centers [L]. They are cut in two again and
+  /// again, across the longest edge of what the centers take up. Precondition: `count` is not zero. Cost: O(n
+  /// log(count)).
   static Partition bisection(const Box& box, std::size_t count, std::span<const Vec3> centers);
 
   std::size_t size() const { return blocks_.size(); }
@@ -34,6 +34,7 @@ class Partition {
   /// The domain in whose block a point inside the box lies. Cost: O(log(size())).
   DomainNumber domain_at(const Vec3& point) const;
   /// The domains whose blocks come as near as `distance` [L] to that of one, in the order of numbers.
+  /// Cost: O(size()).
   std::vector<DomainNumber> neighbors(DomainNumber domain, double distance) const;
   /// How many these are of the domain that has most. Cost: O(size()^2).
   std::size_t most_neighbors(double distance) const;

@@ -25,9 +25,7 @@ template <class Route>
 std::vector<Traveler> sent(const std::vector<Traveler>& travelers, Processes& processes, Route&& route) {
   std::vector<std::string> outgoing(processes.size());
   for (const Traveler& traveler : travelers) {
-    route(traveler, [&](std::size_t rank) {
-      outgoing[rank].append(reinterpret_cast<const char*>(&traveler), sizeof(traveler));
-    });
+    route(traveler, [&](std::size_t rank) { append_value(traveler, outgoing[rank]); });
   }
   std::vector<Traveler> arrived;
   for (std::string& part : processes.exchange_with_all(std::move(outgoing))) {

@@ -128,7 +128,7 @@ void check_setting(const Box& box, const Motion& motion, std::span<const Surface
   for (const Surface& surface : surfaces) {
     refuse_in_periodic_box(surface, box);
     if (!box.is_sheared() || normal_of(surface) != nullptr) continue;
-    throw Error("the box is sheared, and there is a " + std::string(surface.name()), "walls",
+    throw Error("the box is sheared and has a wall or obstacle: " + std::string(surface.name()), "walls",
                 "use planes across z, or no surfaces");
   }
   if (!box.is_flat()) return;

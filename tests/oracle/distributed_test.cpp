@@ -17,6 +17,7 @@
 #include "hardball/processes/bytes.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/random_world.hpp"
 #include "support/thread_processes.hpp"
 
@@ -270,6 +271,15 @@ TEST(DistributedGas, RefusesWhatProcessesCannotShare) {
     EXPECT_THROW(DistributedSimulation::of(processes, gas, {.engine = EngineKind::all_pairs}), Error);
     merging.set_interactions(ResponseTable(Merging(), Bounce()));
     EXPECT_THROW(DistributedSimulation::of(processes, merging, {}), Error);
+    const World stepping =
+        support::interacting(gas, support::stepping({.steps = {{.ratio = 1.2, .energy = -1}}}));
+    EXPECT_THROW(DistributedSimulation::of(processes, stepping, {}), Error);
+    World growing = gas;
+    growing.set_growth({Time(0), Time(1), 1, 0.01});
+    EXPECT_THROW(DistributedSimulation::of(processes, growing, {}), Error);
+    Box sheared = Box::periodic({10, 10, 10});
+    sheared.set_shear({.rate = 0.1});
+    EXPECT_THROW(DistributedSimulation::of(processes, World(sheared), {}), Error);
   });
 }
 
