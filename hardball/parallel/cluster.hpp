@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <span>
@@ -99,7 +100,7 @@ class Cluster {
 
   /// Opens a window that ends no later than `end` and has at most so many contacts, of which it returns the
   /// number. Precondition: `end` is not before committed() nor after kLargestTime; `most` is not zero; no
-  /// window is open. Error: RunFailure, and what engines throw; then no window is open.
+  /// window is open. Error: what engines throw; then all before it has been committed, and no window is open.
   std::uint64_t open_window(double end, std::uint64_t most, const Kept& kept) {
     watch_if_due();
     const double begin = committed_;
@@ -197,6 +198,11 @@ class Cluster {
     Counters contacts;
     bool has_passing = false;  // somewhere, spheres pass through each other
     bool is_step = false;      // then more may happen in the same double
+  };
+  // Of a contact that cannot be executed.
+  struct Failure {
+    std::string message;
+    std::exception_ptr exception;
   };
   // What domains find when they compare, all together.
   struct Findings {
@@ -373,28 +379,31 @@ class Cluster {
     return earliest;
   }
 
-  // Error: one of those that execute it fails; if several do, that of the domain that owns the first sphere,
-  // as a single engine would tell.
+  // Error: that of the domain in which it fails; if it fails in two, of the one that owns the first sphere,
+  // as a single engine would tell. In several processes, a RunFailure.
   void execute(const Event& next) {
-    std::vector<std::string> failures(size());
+    std::vector<Failure> failures(size());
     each_or_undo([&](Member& domain, std::size_t k) {
       try {
         domain.execute_if_next(peeked_[k], next);
       } catch (const RunFailure& failure) {
-        failures[k] = failure.what();
+        failures[k] = {failure.what(), std::current_exception()};
+      } catch (const Error& error) {
+        failures[k] = {error.what(), std::current_exception()};
       }
     });
-    std::string own;
+    Failure own;
     bool owns_first = false;
     for (std::size_t k = 0; k < size() && !owns_first; ++k) {
-      if (failures[k].empty()) continue;
+      if (!failures[k].exception) continue;
       owns_first = domains_[k]->owns(next.first);
-      if (own.empty() || owns_first) own = failures[k];
+      if (!own.exception || owns_first) own = failures[k];
     }
-    std::vector<std::string> all = processes().gather(own);
+    const std::vector<std::string> all = processes().gather(own.message);
     if (std::ranges::all_of(all, &std::string::empty)) return;
     const std::vector<char> own_first = processes().gather(static_cast<char>(owns_first));
     undo();
+    if (all.size() == 1) std::rethrow_exception(own.exception);
     auto told = std::ranges::find(own_first, 1) - own_first.begin();
     if (told == std::ssize(all)) told = std::ranges::find_if_not(all, &std::string::empty) - all.begin();
     throw RunFailure(all[static_cast<std::size_t>(told)]);

@@ -119,7 +119,8 @@ class Domain {
       const RunStatus status = engine_.run({.until = Time(until), .contacts = most}, Notes{*this});
       if (status == RunStatus::time_reached) return end_legs(until);
     } catch (const RunFailure&) {
-      // Perhaps only because ghosts are wrong: a single step will tell.
+      // Perhaps only because ghosts are wrong, like the other: a single step will tell.
+    } catch (const Error&) {
     }
     failed_at_ = engine_.now().high;
   }

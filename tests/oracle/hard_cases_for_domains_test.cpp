@@ -377,6 +377,38 @@ TEST(HardCasesForDomains, CollapsesOfBothSpheresOfAContact) {
   }
 }
 
+// A contact of which no sphere can come with a speed in the operating range: all before it has happened, and
+// the simulation can be used as before.
+TEST(HardCasesForDomains, ContactsThatThrow) {
+  World world(Box::walls({64, 8, 8}));
+  for (int k = 0; k < 6; ++k) {
+    world.add({.position = {4 + 10.0 * k, 4, 4},
+               .velocity = {k == 0 ? 9e59 : 0.0, 0, 0},
+               .radius = 0.5,
+               .mass = k < 5 ? 1000.0 : 1.0});
+  }
+  const auto run_to_error = [&](const EngineOptions& options) {
+    Simulation simulation(world, options);
+    std::string message;
+    try {
+      simulation.run_until(1);
+    } catch (const Error& error) {
+      message = error.what();
+    }
+    EXPECT_NE(message, "");
+    EXPECT_EQ(simulation.counters().collision, 4U);
+    simulation.remove(5);
+    History history = support::run_on(simulation, {.until = Time(simulation.time()), .contacts = 10});
+    history.failure = message;
+    return history;
+  };
+  const History expected = run_to_error({});
+  for (const Division& division : divisions()) {
+    SCOPED_TRACE(name_of(division));
+    EXPECT_EQ(support::difference(run_to_error({.division = division}), expected), "");
+  }
+}
+
 // Windows of many contacts for each sphere fail again and again, until single steps lead on.
 TEST(HardCasesForDomains, WindowsThatAreFarTooLong) {
   using Divided = ParallelEngine<CalendarQueue, CellGrid, ContactSums>;

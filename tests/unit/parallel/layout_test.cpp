@@ -7,21 +7,14 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/numbers/random.hpp"
 #include "hardball/parallel/residents.hpp"
+#include "support/random_centers.hpp"
 
 namespace hardball::layout_test {
 namespace {
 
-const Box kBox = Box::periodic({20, 10, 10});
-
-std::vector<Vec3> random_centers(std::size_t count) {
-  Random random(7);
-  std::vector<Vec3> centers;
-  for (std::size_t i = 0; i < count; ++i)
-    centers.push_back({20 * random.uniform(), 10 * random.uniform(), 10 * random.uniform()});
-  return centers;
-}
+constexpr Vec3 kSize{20, 10, 10};
+const Box kBox = Box::periodic(kSize);
 
 SystemSize size_of(const std::vector<Vec3>& centers, double diameter) {
   return {.spheres = centers.size(), .speeds = static_cast<double>(centers.size()), .contact = diameter};
@@ -31,7 +24,7 @@ SystemSize size_of(const std::vector<Vec3>& centers, double diameter) {
 constexpr WindowCounters kOftenFailed{.windows = 100, .failed = 10};
 
 TEST(Layout, HasSoManyDomainsThatNoneHasTooManyNeighbors) {
-  const std::vector<Vec3> centers = random_centers(1000);
+  const std::vector<Vec3> centers = support::random_centers(1000, kSize);
   Layout layout({.domains = 64, .halo = 1.5});
   layout.lay_out(kBox, size_of(centers, 0.5), centers);
   EXPECT_EQ(layout.partition().size(), 64U);
@@ -42,7 +35,7 @@ TEST(Layout, HasSoManyDomainsThatNoneHasTooManyNeighbors) {
 }
 
 TEST(Layout, RefusesMoreProcessesThanCanBeNeighbors) {
-  const std::vector<Vec3> centers = random_centers(1000);
+  const std::vector<Vec3> centers = support::random_centers(1000, kSize);
   Layout layout({.domains = 4, .halo = 1.5}, 64);
   layout.lay_out(kBox, size_of(centers, 0.5), centers);
   EXPECT_EQ(layout.partition().size() % 64, 0U);
@@ -50,7 +43,7 @@ TEST(Layout, RefusesMoreProcessesThanCanBeNeighbors) {
 }
 
 TEST(Layout, DeepensHalosByStepsWhileWindowsFail) {
-  const std::vector<Vec3> centers = random_centers(1000);
+  const std::vector<Vec3> centers = support::random_centers(1000, kSize);
   const SystemSize size = size_of(centers, 1);
   Layout layout({.domains = 4, .halo = 3.7});
   layout.lay_out(kBox, size, centers);
@@ -64,7 +57,7 @@ TEST(Layout, DeepensHalosByStepsWhileWindowsFail) {
 // Blocks crowd where the contacts are: then halos cannot be as deep, or blocks have to stay where they are.
 TEST(Layout, NeverGetsTooManyNeighborsByLoad) {
   constexpr std::size_t kDomains = 40;
-  const std::vector<Vec3> centers = random_centers(4000);
+  const std::vector<Vec3> centers = support::random_centers(4000, kSize);
   Load load{std::vector<std::uint64_t>(kDomains, 0), kOftenFailed};
   for (std::size_t k = 0; k < 4; ++k) load.contacts[k] = 1'000'000;
   std::size_t deeper = 0;
@@ -91,7 +84,7 @@ TEST(Layout, NeverGetsTooManyNeighborsByLoad) {
 }
 
 TEST(Layout, IsReviewedEverySoManyWindows) {
-  const std::vector<Vec3> centers = random_centers(100);
+  const std::vector<Vec3> centers = support::random_centers(100, kSize);
   Layout layout({.domains = 2});
   layout.lay_out(kBox, size_of(centers, 1), centers);
   EXPECT_FALSE(layout.is_review_due(63));

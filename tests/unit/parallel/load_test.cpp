@@ -6,20 +6,12 @@
 
 #include <vector>
 
-#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/random_centers.hpp"
 
 namespace hardball::load_test {
 namespace {
-
-std::vector<Vec3> random_centers(std::size_t count) {
-  Random random(7);
-  std::vector<Vec3> centers;
-  for (std::size_t i = 0; i < count; ++i)
-    centers.push_back({20 * random.uniform(), 10 * random.uniform(), 10 * random.uniform()});
-  return centers;
-}
 
 TEST(Load, IsUnevenWhereDomainsWait) {
   EXPECT_EQ((Load{{100, 100, 100}, {}}.waited()), 0U);
@@ -36,7 +28,7 @@ TEST(Load, HasShallowHalosWhereManyWindowsFail) {
 // The blocks that are made have the same load, if spheres of a domain are alike.
 TEST(Load, MovesCutsToWhereContactsAre) {
   const Box box = Box::periodic({20, 10, 10});
-  const std::vector<Vec3> centers = random_centers(20000);
+  const std::vector<Vec3> centers = support::random_centers(20000, {20, 10, 10});
   const Partition before = Partition::bisection(box, 2, centers);
   ASSERT_NEAR(before.block(0).high(0), 10, 0.2);
   const Partition after =
