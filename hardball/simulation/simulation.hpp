@@ -121,7 +121,8 @@ class HARDBALL_EXPORT Simulation {
   /// The same, and takes `measures`; see Measures.
   void run_until(double time, Measures& measures) { run({.until = Time(time)}, measures); }
   /// Runs until `count` contacts have happened, but not beyond `until` [T]; returns how many happened. If
-  /// spheres may never meet again, in open space or a periodic box, give a finite time.
+  /// spheres may never meet again, in open space or a periodic box, give a finite time. The operating range
+  /// ends at 1e120, and with it any run.
   std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
   /// Runs until the first of the limits is reached. Error: RunLimits::until, as for run_until.
   RunStatus run(const RunLimits& limits) { return run_with(limits, nullptr); }
