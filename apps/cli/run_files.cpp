@@ -92,11 +92,12 @@ std::vector<std::pair<std::string, TrajectoryPosition>> named_trajectories(
 
 // A file that a run continues. Error: it is gone.
 std::filesystem::path continued(const std::filesystem::path& directory, const std::filesystem::path& name) {
-  if (!std::filesystem::exists(directory / name)) {
-    throw Error(name.string() + " is gone, which the run continues", directory.string(),
+  std::filesystem::path path = directory / name;
+  if (!std::filesystem::exists(path)) {
+    throw Error("the file that the run continues is gone", path.string(),
                 "put it back, or start the run again in another directory");
   }
-  return directory / name;
+  return path;
 }
 
 void remove_all(const std::vector<std::filesystem::path>& paths) {

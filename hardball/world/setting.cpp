@@ -128,8 +128,10 @@ void check_setting(const Box& box, const Motion& motion, std::span<const Surface
   for (const Surface& surface : surfaces) {
     refuse_in_periodic_box(surface, box);
     if (!box.is_sheared() || normal_of(surface) != nullptr) continue;
-    throw Error("the box is sheared and has a wall or obstacle: " + std::string(surface.name()), "walls",
-                "use planes across z, or no surfaces");
+    const bool is_obstacle = std::holds_alternative<Obstacle>(surface.shape());
+    throw Error("the box is sheared, and there is " +
+                    (is_obstacle ? "an obstacle" : "a " + std::string(surface.name())),
+                "walls", "use planes across z, or no surfaces");
   }
   if (!box.is_flat()) return;
   refuse_out_of_plane(gravity, "gravity", "gravity");

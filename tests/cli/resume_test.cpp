@@ -102,7 +102,8 @@ TEST_F(Resume, RefusesWhatIsNoUnfinishedRun) {
   expect_refusal({"resume", "out", "--until", "6"}, "out/checkpoint.hbc: ends too early");
   write_text(folder_ / "out/checkpoint.hbc", checkpoint);
   std::filesystem::remove(folder_ / "out/events.npy");
-  expect_refusal({"resume", "out", "--until", "6"}, "out/events.npy: cannot be written: No such file");
+  expect_refusal({"resume", "out", "--until", "6"},
+                 "out/events.npy: the file that the run continues is gone");
   EXPECT_FALSE(exists("out/run.lock"));
 }
 

@@ -259,7 +259,7 @@ class Processes(unittest.TestCase):
         run(["run", scenario, "--out", str(directory), "--until", "0.2"], 2)
         (directory / "events.npy").unlink()
         done = run(["resume", str(directory), "--until", "0.3"], 2, succeeds=False)
-        self.assertIn("events.npy is gone", done.stderr)
+        self.assertIn("events.npy: the file that the run continues is gone", done.stderr)
 
     def test_a_file_that_cannot_be_written_ends_all(self):
         scenario = self.scenario(GAS)
