@@ -414,7 +414,7 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
   std::optional<DistributedRun> run;
   {
     SetUpProgress progress(processes.is_first() && !options.quiet);
-    std::vector<Traveler> brought;
+    Travelers brought;
     World empty = make_part(
         scenario, [&](SphereId id) { return id % processes.size() == processes.rank(); },
         [&](const SphereState& state) { brought.push_back({state}); }, progress.part(0, 1));

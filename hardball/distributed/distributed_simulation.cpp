@@ -42,20 +42,18 @@ std::vector<T> gathered(Processes& processes, const std::vector<T>& own) {
 }
 
 // A small part of the spheres that has the whole range of radii, the same in all processes.
-World sample_of(Processes& processes, const World& empty, const std::vector<Traveler>& brought,
-                std::size_t spheres) {
+World sample_of(Processes& processes, const World& empty, const Travelers& brought, std::size_t spheres) {
   constexpr std::size_t kSample = 1 << 14;
   const std::size_t every = spheres / kSample + 1;
   std::vector<Traveler> own;
-  for (const Traveler& traveler : brought) {
+  std::optional<Traveler> smallest;
+  std::optional<Traveler> largest;
+  brought.for_each([&](const Traveler& traveler) {
     if (traveler.state.id % every == 0) own.push_back(traveler);
-  }
-  if (!brought.empty()) {
-    const auto [smallest, largest] =
-        std::ranges::minmax_element(brought, {}, [](const Traveler& each) { return each.state.radius; });
-    own.push_back(*smallest);
-    own.push_back(*largest);
-  }
+    if (!smallest || traveler.state.radius < smallest->state.radius) smallest = traveler;
+    if (!largest || traveler.state.radius > largest->state.radius) largest = traveler;
+  });
+  if (smallest) own.insert(own.end(), {*smallest, *largest});
   World sample = empty;
   for (const Traveler& traveler : gathered(processes, own)) {
     if (!sample.contains(traveler.state.id)) sample.insert(traveler.state);
@@ -64,14 +62,14 @@ World sample_of(Processes& processes, const World& empty, const std::vector<Trav
 }
 
 // Contacts before the start do not count.
-void begin_paths(const World& empty, std::vector<Traveler>& brought, const Time& moment) {
-  for (Traveler& traveler : brought) {
-    if (!(traveler.state.path.time < moment)) continue;
+void begin_paths(const World& empty, Travelers& brought, const Time& moment) {
+  brought.for_each([&](Traveler& traveler) {
+    if (!(traveler.state.path.time < moment)) return;
     World alone = empty;
     const Slot slot = alone.insert(traveler.state);
     alone.rewrite_path(slot, moment, alone.velocity(slot, moment));
     traveler.state = alone.state_of(slot);
-  }
+  });
 }
 
 void check_can_be_distributed(const World& empty, const EngineOptions& options) {
@@ -112,11 +110,11 @@ struct DistributedSimulation::State {
   }
 };
 
-DistributedSimulation::DistributedSimulation(Processes& processes, World empty, std::vector<Traveler> brought,
+DistributedSimulation::DistributedSimulation(Processes& processes, World empty, Travelers brought,
                                              const EngineOptions& options)
     : DistributedSimulation(processes, State{.empty = std::move(empty)}, std::move(brought), options) {}
 
-DistributedSimulation::DistributedSimulation(Processes& processes, State state, std::vector<Traveler> brought,
+DistributedSimulation::DistributedSimulation(Processes& processes, State state, Travelers brought,
                                              const EngineOptions& options)
     : processes_(processes),
       empty_(std::move(state.empty)),
@@ -126,10 +124,10 @@ DistributedSimulation::DistributedSimulation(Processes& processes, State state, 
   check_can_be_distributed(empty_, options);
   for (const std::size_t count : processes.gather(brought.size())) spheres_ += count;
   Time latest = state.now.value_or(Time(0));
-  for (const Traveler& traveler : brought) {
+  brought.for_each([&](const Traveler& traveler) {
     next_id_ = std::max(next_id_, traveler.state.id + 1);
     latest = later(latest, traveler.state.path.time);
-  }
+  });
   next_id_ = std::ranges::max(processes.gather(next_id_));
   for (const Time& other : processes.gather(latest)) latest = later(latest, other);
   now_ = latest;
@@ -162,7 +160,7 @@ DistributedSimulation::~DistributedSimulation() = default;
 
 DistributedSimulation DistributedSimulation::of(Processes& processes, const World& whole,
                                                 const EngineOptions& options) {
-  std::vector<Traveler> brought;
+  Travelers brought;
   for (Slot slot = 0; slot < whole.size(); ++slot) {
     if (whole.id(slot) % processes.size() == processes.rank()) brought.push_back({whole.state_of(slot)});
   }
@@ -364,20 +362,20 @@ void DistributedSimulation::validate() const {
 }
 
 std::vector<std::vector<Traveler>> DistributedSimulation::own_blocks() const {
-  std::vector<Traveler> own;
+  Travelers own;
   engine_->for_each_own([&](const World& world, Slot slot, std::uint32_t idle_contacts) {
     own.push_back({world.state_of(slot), idle_contacts});
   });
-  const std::vector<Traveler> arrived =
-      sent(own, processes_, [&](const Traveler& traveler, const auto& send_to) {
-        send_to(traveler.state.id / kBlock % processes_.size());
-      });
-  std::vector<Traveler>().swap(own);
+  Travelers arrived = sent(std::move(own), processes_, [&](const Traveler& traveler, const auto& send_to) {
+    send_to(traveler.state.id / kBlock % processes_.size());
+  });
   std::vector<std::vector<Traveler>> sorted;
   for (std::size_t block = processes_.rank(); block < blocks(); block += processes_.size())
     sorted.emplace_back();
-  for (const Traveler& traveler : arrived)
-    sorted[traveler.state.id / kBlock / processes_.size()].push_back(traveler);
+  while (!arrived.empty()) {
+    for (const Traveler& traveler : arrived.take_some())
+      sorted[traveler.state.id / kBlock / processes_.size()].push_back(traveler);
+  }
   for (std::vector<Traveler>& block : sorted)
     std::ranges::sort(block, {}, [](const Traveler& traveler) { return traveler.state.id; });
   return sorted;
@@ -402,10 +400,9 @@ DistributedSimulation DistributedSimulation::load(Processes& processes, std::str
   SavedOptions options;
   State state;
   restore(saved, where, options, state);
-  std::vector<Traveler> brought;
+  Travelers brought;
   for (const std::string& block : blocks) {
-    const std::vector<Traveler> spheres = unarchived(block, where);
-    brought.insert(brought.end(), spheres.begin(), spheres.end());
+    for (const Traveler& traveler : unarchived(block, where)) brought.push_back(traveler);
   }
   options.options.threads = threads;
   return DistributedSimulation(processes, std::move(state), std::move(brought), options.options);
@@ -416,7 +413,7 @@ DistributedSimulation DistributedSimulation::of(Processes& processes, const Simu
   EngineOptions options = whole.options();
   options.threads = threads;
   const World& world = whole.world();
-  std::vector<Traveler> brought;
+  Travelers brought;
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (world.id(slot) % processes.size() == processes.rank()) brought.push_back({world.state_of(slot)});
   }

@@ -41,8 +41,7 @@ class DistributedSimulation {
   /// the world without spheres. `options`: threads are those of each process. Error: in all processes; as for
   /// Simulation; spheres merge, grow or have potentials of steps; the response is a function; the box is
   /// sheared, or too small for so many processes; the engine cannot be distributed.
-  DistributedSimulation(Processes& processes, World empty, std::vector<Traveler> brought,
-                        const EngineOptions& options);
+  DistributedSimulation(Processes& processes, World empty, Travelers brought, const EngineOptions& options);
   DistributedSimulation(DistributedSimulation&& other) noexcept;
   ~DistributedSimulation();
 
@@ -128,8 +127,7 @@ class DistributedSimulation {
 
  private:
   struct State;
-  DistributedSimulation(Processes& processes, State state, std::vector<Traveler> brought,
-                        const EngineOptions& options);
+  DistributedSimulation(Processes& processes, State state, Travelers brought, const EngineOptions& options);
   RunStatus run_to_action(const RunLimits& limits, bool is_observed,
                           const Function<void(const Contact&)>& observe);
   void act(const Time& moment);

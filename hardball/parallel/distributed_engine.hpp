@@ -39,8 +39,8 @@ class DistributedEngine {
   /// Divides a system as it is at `now`, of which each process brings some of the spheres, wherever they are;
   /// all are brought once. `empty`: the world without spheres. `division` is that of each process. Error:
   /// there are too many domains for so small a box.
-  DistributedEngine(World empty, std::vector<Traveler> brought, const PhaseSettings& phase,
-                    const Division& division, const Time& now, Processes& processes)
+  DistributedEngine(World empty, Travelers brought, const PhaseSettings& phase, const Division& division,
+                    const Time& now, Processes& processes)
       : processes_(processes),
         empty_(std::move(empty)),
         phase_(phase),
@@ -129,21 +129,18 @@ class DistributedEngine {
   using Member = typename Domains::Member;
 
   // Makes the domains of the layout that are in this process.
-  void occupy(std::vector<Traveler> brought, const Time& now) {
+  void occupy(Travelers brought, const Time& now) {
     const Partition& partition = layout_.partition();
     const DomainsOfProcess domains{partition.size() / processes_.size()};
-    std::vector<Traveler> own = sent(brought, processes_, [&](const Traveler& traveler, const auto& send_to) {
-      send_to(domains.process_of(partition.domain_at(position_of(traveler, now))));
-    });
-    std::vector<Traveler>().swap(brought);
-    Aftermath aftermath;
-    for (const Traveler& traveler : own)
-      aftermath.collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
-    const std::vector<Traveler> ghosts = near_others(own, domains, now);
-    own.insert(own.end(), ghosts.begin(), ghosts.end());
     World world = empty_;
-    world.insert_all(own.size(), [&](std::size_t k) { return own[k].state; });
-    std::vector<Traveler>().swap(own);
+    Aftermath aftermath;
+    const auto send_to_owner = [&](const Traveler& traveler, const auto& send_to) {
+      send_to(domains.process_of(partition.domain_at(position_of(traveler, now))));
+    };
+    insert(sent(std::move(brought), processes_, send_to_owner), world, [&](const Traveler& traveler) {
+      aftermath.collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
+    });
+    insert(near_others(world, domains, now), world, [](const Traveler&) {});
     world.reorder(order_along_curve(world, now));
     const auto first = static_cast<DomainNumber>(processes_.rank() * domains.each);
     cluster_ = std::make_unique<Domains>(
@@ -158,47 +155,56 @@ class DistributedEngine {
     return position;
   }
 
-  SystemSize size_of(const std::vector<Traveler>& brought, const Time& now) const {
+  SystemSize size_of(const Travelers& brought, const Time& now) const {
     SystemSize own;
-    for (const Traveler& traveler : brought)
+    brought.for_each([&](const Traveler& traveler) {
       own.note(length(empty_.motion().velocity_at(traveler.state.path, now)), traveler.state.radius);
+    });
     SystemSize all;
     for (const SystemSize& other : processes_.gather(own)) all.add(other);
     return all;
   }
 
   // Enough centers to divide the whole evenly.
-  std::vector<Vec3> sample_centers(const std::vector<Traveler>& brought, const Time& now) const {
+  std::vector<Vec3> sample_centers(const Travelers& brought, const Time& now) const {
     constexpr std::uint64_t kSample = 1 << 18;
     const std::uint64_t every = spheres_ / kSample + 1;
     std::vector<Vec3> own;
-    for (const Traveler& traveler : brought) {
+    brought.for_each([&](const Traveler& traveler) {
       if (traveler.state.id % every == 0) own.push_back(position_of(traveler, now));
-    }
+    });
     std::vector<Vec3> centers;
     for (const std::string& part : processes_.gather(bytes_of(own))) append_bytes(part, centers);
     return centers;
   }
 
-  // What others must know of the spheres here: copies of those near domains in other processes.
-  std::vector<Traveler> near_others(const std::vector<Traveler>& own, const DomainsOfProcess& domains,
-                                    const Time& now) const {
+  // What others must know of these spheres here: copies of those near domains in other processes are
+  // exchanged.
+  Travelers near_others(const World& own, const DomainsOfProcess& domains, const Time& now) const {
     std::vector<std::vector<DomainNumber>> neighbors;
     for (std::size_t k = 0; k < domains.each; ++k) {
       const auto number = static_cast<DomainNumber>(processes_.rank() * domains.each + k);
       neighbors.push_back(layout_.partition().neighbors(number, layout_.halo().neighborhood()));
     }
-    std::vector<std::size_t> told;
-    return sent(own, processes_, [&](const Traveler& traveler, const auto& send_to) {
-      const Vec3 position = position_of(traveler, now);
-      told.assign(1, processes_.rank());
+    std::vector<std::size_t> processes;
+    const auto find_processes_near = [&](const Vec3& position) {
+      processes.clear();
       for (const DomainNumber near : neighbors[layout_.partition().domain_at(position) % domains.each]) {
         const std::size_t process = domains.process_of(near);
-        if (std::ranges::find(told, process) != told.end()) continue;
-        if (layout_.partition().block(near).distance(position) > layout_.halo().depth) continue;
-        told.push_back(process);
-        send_to(process);
+        if (process == processes_.rank() || std::ranges::find(processes, process) != processes.end())
+          continue;
+        if (layout_.partition().block(near).distance(position) <= layout_.halo().depth)
+          processes.push_back(process);
       }
+    };
+    Travelers wanted;
+    for (Slot slot = 0; slot < own.size(); ++slot) {
+      find_processes_near(own.position(slot, now));
+      if (!processes.empty()) wanted.push_back({own.state_of(slot)});
+    }
+    return sent(std::move(wanted), processes_, [&](const Traveler& traveler, const auto& send_to) {
+      find_processes_near(position_of(traveler, now));
+      std::ranges::for_each(processes, send_to);
     });
   }
 
@@ -207,8 +213,8 @@ class DistributedEngine {
     return processes_.gather(processes_.is_first() && limits.stop && limits.stop() ? 1 : 0).front() == 1;
   }
 
-  std::vector<Traveler> own_travelers() const {
-    std::vector<Traveler> own;
+  Travelers own_travelers() const {
+    Travelers own;
     for_each_own([&](const World& world, Slot slot, std::uint32_t idle_contacts) {
       own.push_back({world.state_of(slot), idle_contacts});
     });
@@ -221,7 +227,7 @@ class DistributedEngine {
     const Load load = cluster_->load();
     if (!layout_.may_improve(load, spheres_)) return;
     const Time now = cluster_->now();
-    std::vector<Traveler> own = own_travelers();
+    Travelers own = own_travelers();
     if (!layout_.improve(load, empty_.box(), size_of(own, now), sample_centers(own, now))) return;
     cluster_->add_sums_to(sums);
     occupy_anew(std::move(own), now);
@@ -229,7 +235,7 @@ class DistributedEngine {
   }
 
   // Precondition: nothing but crossings has been handled since `moment`.
-  void occupy_anew(std::vector<Traveler> own, const Time& moment) {
+  void occupy_anew(Travelers own, const Time& moment) {
     counters_ = counters();
     ++counters_.rebuilds;
     windows_ = window_counters();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "hardball/processes/bytes.hpp"
 #include "hardball/processes/processes.hpp"
 #include "hardball/world/journal.hpp"
+#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -19,20 +22,71 @@ struct Traveler {
   std::uint32_t idle_contacts = 0;  ///< See CollapseGuard.
 };
 
-/// Sends spheres to other processes, and returns those that arrive here, in the order of ranks. For each one
-/// route(traveler, send_to) calls send_to(rank) for every process that it is to reach.
-template <class Route>
-std::vector<Traveler> sent(const std::vector<Traveler>& travelers, Processes& processes, Route&& route) {
-  std::vector<std::string> outgoing(processes.size());
-  for (const Traveler& traveler : travelers) {
-    route(traveler, [&](std::size_t rank) { append_value(traveler, outgoing[rank]); });
+/// Many of them, in pieces of memory that are freed one by one: there are as many as a process has spheres.
+class Travelers {
+ public:
+  void push_back(const Traveler& traveler) {
+    constexpr std::size_t kPiece = 1 << 14;
+    if (pieces_.empty() || pieces_.back().size() == kPiece) pieces_.emplace_back().reserve(kPiece);
+    pieces_.back().push_back(traveler);
+    ++size_;
   }
-  std::vector<Traveler> arrived;
-  for (std::string& part : processes.exchange_with_all(std::move(outgoing))) {
-    append_bytes(part, arrived);
-    std::string().swap(part);
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  /// Calls visit(traveler) for each, in the order in which they were added.
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (const auto& piece : pieces_) std::ranges::for_each(piece, visit);
+  }
+  template <class Visit>
+  void for_each(Visit&& visit) {
+    for (auto& piece : pieces_) std::ranges::for_each(piece, visit);
+  }
+  /// Takes some of them out; none if there are none left.
+  std::vector<Traveler> take_some() {
+    std::vector<Traveler> some;
+    if (pieces_.empty()) return some;
+    some.swap(pieces_.back());
+    pieces_.pop_back();
+    size_ -= some.size();
+    return some;
+  }
+
+ private:
+  std::vector<std::vector<Traveler>> pieces_;
+  std::size_t size_ = 0;
+};
+
+/// Sends spheres to other processes, and returns those that arrive here. For each one route(traveler,
+/// send_to) calls send_to(rank) for every process that it is to reach. Memory: that of those sent or of those
+/// that arrive, and little more.
+template <class Route>
+Travelers sent(Travelers travelers, Processes& processes, Route&& route) {
+  Travelers arrived;
+  while (std::ranges::max(processes.gather(travelers.size())) > 0) {
+    std::vector<std::string> outgoing(processes.size());
+    for (const Traveler& traveler : travelers.take_some())
+      route(traveler, [&](std::size_t rank) { append_value(traveler, outgoing[rank]); });
+    for (const std::string& part : processes.exchange_with_all(std::move(outgoing))) {
+      std::vector<Traveler> some;
+      append_bytes(part, some);
+      for (const Traveler& traveler : some) arrived.push_back(traveler);
+    }
   }
   return arrived;
+}
+
+/// Inserts spheres into a world, and calls visit(traveler) for each.
+template <class Visit>
+void insert(Travelers travelers, World& world, Visit&& visit) {
+  std::vector<Traveler> some;
+  world.insert_all(travelers.size(), [&](std::size_t) {
+    if (some.empty()) some = travelers.take_some();
+    const Traveler next = some.back();
+    some.pop_back();
+    visit(next);
+    return next.state;
+  });
 }
 
 }  // namespace hardball

@@ -45,7 +45,7 @@ class AnyDistributedEngine {
 /// What a distributed engine is made of; see DistributedEngine.
 struct DistributedStart {
   World empty;
-  std::vector<Traveler> brought;
+  Travelers brought;
   Division division;
   Time now;
   Processes* processes = nullptr;

@@ -20,8 +20,14 @@ void World::end_journal() {
 }
 
 SphereState World::state_of(Slot slot) const {
-  return {ids_[slot],    paths_[slot], radii_[slot], masses_[slot], inertia_factors_[slot],
-          folded_[slot], spin(slot),   species(slot)};
+  return {.path = paths_[slot],
+          .radius = radii_[slot],
+          .mass = masses_[slot],
+          .inertia_factor = inertia_factors_[slot],
+          .spin = spin(slot),
+          .folded = folded_[slot],
+          .id = ids_[slot],
+          .species = species(slot)};
 }
 
 void World::set_state(Slot slot, const SphereState& state) {

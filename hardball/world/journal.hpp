@@ -19,13 +19,13 @@ namespace hardball {
 
 /// All that a world knows of one sphere.
 struct SphereState {
-  SphereId id = 0;
-  Path path;
+  Path path;                  // first, as it fills a cache line
   double radius = 0;          ///< The base radius [L].
   double mass = 0;            ///< [M]
   double inertia_factor = 0;  ///< [1]
-  Image folded;               ///< By how many boxes its center has been folded back.
   Vec3 spin;                  ///< [1/T]
+  Image folded;               ///< By how many boxes its center has been folded back.
+  SphereId id = 0;
   SpeciesId species = 0;
 
   friend bool operator==(const SphereState&, const SphereState&) = default;

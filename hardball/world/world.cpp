@@ -67,8 +67,14 @@ SphereId World::add(const Sphere& sphere, const Time& moment) {
   check_moment(moment, name_of(next_id_));
   Path path{sphere.position, sphere.velocity, moment};
   const Image beyond = box_.fold(path.position, path.velocity, moment);
-  append({next_id_, path, sphere.radius, sphere.mass, sphere.inertia_factor, beyond, sphere.spin,
-          sphere.species});
+  append({.path = path,
+          .radius = sphere.radius,
+          .mass = sphere.mass,
+          .inertia_factor = sphere.inertia_factor,
+          .spin = sphere.spin,
+          .folded = beyond,
+          .id = next_id_,
+          .species = sphere.species});
   order_.append();
   if (has_journal_) {
     const auto slot = static_cast<Slot>(size() - 1);
