@@ -59,7 +59,8 @@ void leave_out_measures(Scenario& scenario) {
   scenario.report = false;
 }
 
-void tell_of_left_out_measures() {
+void tell_of_left_out_measures(const Options& options, const Processes& processes) {
+  if (!processes.is_first() || options.quiet) return;
   fmt::print(stderr,
              "hardball: several processes leave out measures and report, which need all spheres in one of "
              "them; name measures to have them\n");
@@ -425,8 +426,7 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
   }
   std::optional<std::filesystem::path> directory = scenario.output_directory;
   if (options.out) directory = *options.out;
-  if (directory && leaves_out && !are_named && processes.is_first() && !options.quiet)
-    tell_of_left_out_measures();
+  if (directory && leaves_out && !are_named) tell_of_left_out_measures(options, processes);
   run->begin_files(directory);
   return run->carry_out({.setup = seconds_since(begin)});
 }
@@ -454,8 +454,7 @@ ExitCode resume_distributed(const Options& options, Processes& processes) {
       changed_by(state.options, parse_scenario(state.text, state.name, state.options.overrides));
   check_can_be_shared(scenario);
   if (!measures.is_any_wanted()) {
-    if (!scenario.measures.names.empty() && processes.is_first() && !options.quiet)
-      tell_of_left_out_measures();
+    if (!scenario.measures.names.empty()) tell_of_left_out_measures(options, processes);
     leave_out_measures(scenario);
   }
   DistributedSimulation simulation = loaded(*checkpoint, path, threads_of(options), processes);

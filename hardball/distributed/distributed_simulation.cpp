@@ -61,6 +61,15 @@ World sample_of(Processes& processes, const World& empty, const Travelers& broug
   return sample;
 }
 
+// What this process brings of a world that all have whole.
+Travelers share_of(const World& whole, const Processes& processes) {
+  Travelers share;
+  for (Slot slot = 0; slot < whole.size(); ++slot) {
+    if (whole.id(slot) % processes.size() == processes.rank()) share.push_back({whole.state_of(slot)});
+  }
+  return share;
+}
+
 // Contacts before the start do not count.
 void begin_paths(const World& empty, Travelers& brought, const Time& moment) {
   brought.for_each([&](Traveler& traveler) {
@@ -160,11 +169,7 @@ DistributedSimulation::~DistributedSimulation() = default;
 
 DistributedSimulation DistributedSimulation::of(Processes& processes, const World& whole,
                                                 const EngineOptions& options) {
-  Travelers brought;
-  for (Slot slot = 0; slot < whole.size(); ++slot) {
-    if (whole.id(slot) % processes.size() == processes.rank()) brought.push_back({whole.state_of(slot)});
-  }
-  return DistributedSimulation(processes, whole.without_spheres(), std::move(brought), options);
+  return DistributedSimulation(processes, whole.without_spheres(), share_of(whole, processes), options);
 }
 
 void DistributedSimulation::follow_in_first() {
@@ -412,15 +417,10 @@ DistributedSimulation DistributedSimulation::of(Processes& processes, const Simu
                                                 std::size_t threads) {
   EngineOptions options = whole.options();
   options.threads = threads;
-  const World& world = whole.world();
-  Travelers brought;
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (world.id(slot) % processes.size() == processes.rank()) brought.push_back({world.state_of(slot)});
-  }
   return DistributedSimulation(processes,
-                               {world.without_spheres(), whole.engine(), whole.now(), whole.sums(),
+                               {whole.world().without_spheres(), whole.engine(), whole.now(), whole.sums(),
                                 whole.counters(), whole.thermostat()},
-                               std::move(brought), options);
+                               share_of(whole.world(), processes), options);
 }
 
 Simulation DistributedSimulation::load_whole(std::string_view saved, const std::vector<std::string>& blocks,

@@ -115,11 +115,11 @@ class Domain {
   /// than `most` contacts, those of ghosts included, the window is too long, and not right to its end.
   void run(double until, std::uint64_t most) {
     begin_window();
+    // Either error may be there only because ghosts are wrong: a single step will tell.
     try {
       const RunStatus status = engine_.run({.until = Time(until), .contacts = most}, Notes{*this});
       if (status == RunStatus::time_reached) return end_legs(until);
     } catch (const RunFailure&) {
-      // Perhaps only because ghosts are wrong, like the other: a single step will tell.
     } catch (const Error&) {
     }
     failed_at_ = engine_.now().high;

@@ -122,6 +122,16 @@ until = 20.0
   }
 }
 
+// Several domains have more work, on copies of spheres.
+TEST_F(ReportFile, ComparesWorkWithTheoryWhereOneEngineDidIt) {
+  for (const char* threads : {"1", "2"}) {
+    run({"--out", "out", "--overwrite", "--engine", "cells", "--cell-edge", "1.5", "--threads", threads});
+    const std::string html = read_text(folder_ / "out/report.html");
+    EXPECT_EQ(html.find("pair predictions per sphere and time") != std::string::npos,
+              threads == std::string("1"));
+  }
+}
+
 TEST_F(ReportFile, ChangesNoContact) {
   const json with = run({"--out", "out"});
   const json without = run({"--out", "out", "--set", "output.report=false"});

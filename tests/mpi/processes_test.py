@@ -230,6 +230,8 @@ class Processes(unittest.TestCase):
                         f"measures.names={names}"], 2)
             self.assertEqual((directory / "report.html").exists(), are_named)
             self.assertEqual("leave out measures" in done.stderr, not are_named, done.stderr)
+            done = run(["resume", str(directory), "--until", "0.2"], 2)
+            self.assertEqual("leave out measures" in done.stderr, not are_named, done.stderr)
 
     def test_what_processes_cannot_share_is_refused(self):
         scenario = self.scenario(GAS)
