@@ -86,8 +86,8 @@ std::vector<Quantity> rates(const Simulation& simulation, const GasStatistics& s
   const SpeciesList species(world);
   const FluidTheory fluid(world, species);
   const bool theory = is_uniform(world) && !world.box().is_sheared() && !simulation.thermostat() &&
-                      !simulation.growth() && has_theory(world, statistics) &&
-                      (fluid.holds() || has_one_mass(species));
+                      !simulation.growth() && has_theory(world, statistics) && !world.has_kinematic() &&
+                      (fluid.holds() || (has_one_mass(species) && !world.interactions().has_passing()));
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
     if (std::isfinite(value)) all.push_back({name, unit, value, kNoNumber, theory ? expected : kNoNumber});
   };

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
+#include <vector>
 
 #include "apps/chart/escaped.hpp"
 #include "apps/report/formula.hpp"
@@ -121,6 +123,28 @@ std::string agreement_sentence(const Agreement& agreement, const SpeciesNames& s
   return text + ". Theory is that of equilibrium: measure from a later time if the run starts far from it.";
 }
 
+// The measurements that have not settled, by the reason.
+std::map<std::string, std::vector<std::string>> unsettled_titles(const Report& report) {
+  std::map<std::string, std::vector<std::string>> titles;
+  for (const Measurement& measurement : report.measurements) {
+    const auto has_value = [](const Quantity& quantity) { return std::isfinite(quantity.value); };
+    if (measurement.is_transient_over || !std::ranges::any_of(measurement.quantities, has_value)) continue;
+    titles[measurement.unsettled].push_back(measurement.title);
+  }
+  return titles;
+}
+
+std::string unsettled_sentences(const std::map<std::string, std::vector<std::string>>& titles) {
+  constexpr std::size_t kMany = 4;
+  std::string text;
+  for (const auto& [reason, measurements] : titles) {
+    const std::string which = measurements.size() > kMany ? fmt::format("{} measures", measurements.size())
+                                                          : fmt::to_string(fmt::join(measurements, ", "));
+    text += escaped(fmt::format(" No standard errors for {}: {}.", which, reason));
+  }
+  return text;
+}
+
 std::string transient_sentence(const Report& report) {
   double longest = 0;
   for (const Measurement& measurement : report.measurements) {
@@ -186,12 +210,14 @@ std::string verdict(const Report& report, const Agreement& agreement) {
   } else {
     text += by.empty() ? "; the energy is conserved" : "; the energy changed by " + gift + " alone";
   }
+  const std::map<std::string, std::vector<std::string>> unsettled = unsettled_titles(report);
   const std::string_view word = !is_sound                  ? "Not sound"
                                 : !report.is_complete      ? "Interrupted"
+                                : !unsettled.empty()       ? "Not in equilibrium"
                                 : !agreement.far().empty() ? "Deviates from theory"
                                                            : "Sound";
-  return fmt::format("<p class=\"verdict {}\"><strong>{}.</strong> <span>{}.{}{}</span></p>\n",
-                     word == "Sound" ? "good" : "bad", word, typeset(text),
+  return fmt::format("<p class=\"verdict {}\"><strong>{}.</strong> <span>{}.{}{}{}</span></p>\n",
+                     word == "Sound" ? "good" : "bad", word, typeset(text), unsettled_sentences(unsettled),
                      agreement_sentence(agreement, names_of(report.species)), transient_sentence(report));
 }
 
@@ -395,8 +421,8 @@ std::string rates(const Report& report, const Agreement& agreement) {
 std::string transient_note(const Measurement& measurement) {
   if (!measurement.is_transient_over) {
     return paragraph("note",
-                     "Still changing in the second half of the run: the means depend on its length and "
-                     "have no standard errors.");
+                     escaped("The means depend on the length of the run and have no standard errors: " +
+                             measurement.unsettled + "."));
   }
   if (measurement.transient <= 0) return {};
   return paragraph("note",
@@ -406,11 +432,19 @@ std::string transient_note(const Measurement& measurement) {
 
 // What is missing, and why.
 std::string reasons(const Measurement& measurement, const SpeciesNames& species) {
-  std::string html;
+  std::map<std::string, std::string> without_value;
+  std::map<std::string, std::string> without_error;
   for (const Quantity& quantity : measurement.quantities) {
-    if (quantity.reason.empty()) continue;
-    html +=
-        paragraph("note", escaped("No " + species.readable(quantity.name) + ": " + quantity.reason + "."));
+    if (quantity.reason.empty() || quantity.reason == measurement.unsettled) continue;
+    std::string& names = (std::isnan(quantity.value) ? without_value : without_error)[quantity.reason];
+    names += (names.empty() ? "" : ", ") + species.readable(quantity.name);
+  }
+  std::string html;
+  for (const auto& [reason, names] : without_value) {
+    html += paragraph("note", escaped("No " + names + ": " + reason + "."));
+  }
+  for (const auto& [reason, names] : without_error) {
+    html += paragraph("note", escaped("No standard error for " + names + ": " + reason + "."));
   }
   return html;
 }

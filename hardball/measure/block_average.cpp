@@ -13,12 +13,12 @@
 namespace hardball {
 namespace {
 
-// The error from blocks, or the larger one if there are too few independent blocks.
-double error_of(std::span<const double> blocks, double of_groups) {
+// With the error from blocks, or the larger one if there are too few independent blocks, or all are equal.
+Estimate estimate_of(double value, std::span<const double> blocks, double of_groups) {
   constexpr double kEnough = 16;
-  const double of_series = error_of_series(blocks);
+  const double of_series = resolved({value, error_of_series(blocks)}).error;
   const bool is_enough = independent_parts(blocks) >= kEnough && !std::isnan(of_series);
-  return is_enough ? of_series : std::fmax(of_series, of_groups);
+  return {value, is_enough ? of_series : std::fmax(of_series, of_groups)};
 }
 
 // Whether one share differs from all others, as if due to a rare kind of sphere: then how rare it is cannot
@@ -80,6 +80,11 @@ void BlockAverage::merge_neighbors() {
   std::fill(sums_.begin() + static_cast<std::ptrdiff_t>(full_blocks_ * size), sums_.end(), 0);
 }
 
+void BlockAverage::halve_weights() {
+  for (double& sum : sums_) sum /= 2;
+  for (double& weight : weights_) weight /= 2;
+}
+
 void BlockAverage::leave_out_until(double time) {
   while (first_ < full_blocks_ && ends_[first_] <= time) ++first_;
 }
@@ -113,11 +118,16 @@ std::vector<double> BlockAverage::shares_of_blocks(std::size_t bin, std::size_t 
 
 Estimate BlockAverage::exchange(std::size_t bin, std::size_t changes) const {
   if (total(kWeight) == 0) return {};
-  return {total(bin) / total(kWeight),
-          error_of_exchange(shares_of_blocks(bin, kWeight), shares_of_blocks(changes, kWeight))};
+  return resolved({total(bin) / total(kWeight),
+                   error_of_exchange(shares_of_blocks(bin, kWeight), shares_of_blocks(changes, kWeight))});
 }
 
 Estimate BlockAverage::ratio(std::size_t bin, std::size_t over) const {
+  return resolved(scatter_of_ratio(bin, over));
+}
+
+// With an error even if that is rounding.
+Estimate BlockAverage::scatter_of_ratio(std::size_t bin, std::size_t over) const {
   const double below = total(over);
   if (below == 0) return {};
   const double value = total(bin) / below;
@@ -134,7 +144,7 @@ Estimate BlockAverage::ratio(std::size_t bin, std::size_t over) const {
     // With fewer spheres than groups some groups are empty.
     if (counted > 0) of_groups.push_back(share / below);
   }
-  return {value, error_of(of_blocks, error_of_independent(of_groups))};
+  return estimate_of(value, of_blocks, error_of_independent(of_groups));
 }
 
 std::vector<Estimate> BlockAverage::histogram(std::size_t first, std::size_t count, std::size_t over) const {
@@ -144,7 +154,7 @@ std::vector<Estimate> BlockAverage::histogram(std::size_t first, std::size_t cou
   double squares = 0;
   double counts = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    found.push_back(ratio(first + k, over));
+    found.push_back(scatter_of_ratio(first + k, over));
     if (std::isnan(found.back().error)) continue;
     squares += found.back().error * found.back().error / (one * one);
     counts += found.back().value / one;
@@ -180,7 +190,7 @@ Estimate BlockAverage::estimate(const FunctionOfMeans& quantity, Groups groups) 
     for (std::size_t bin = 0; bin < bins_; ++bin) sums.push_back(sum(bin, block));
   }
   const Parts of_blocks = jackknife(sums, std::span(weights_).subspan(first_, blocks()), quantity);
-  if (groups == Groups::none) return {of_blocks.value, error_of_series(of_blocks.shares)};
+  if (groups == Groups::none) return resolved({of_blocks.value, error_of_series(of_blocks.shares)});
   const std::vector<double> shares = shares_of_groups(quantity, first_, end());
   double of_groups = is_of_few(shares) ? kNoNumber : error_of_independent(shares);
   if (groups == Groups::coupled) of_groups *= std::numbers::sqrt2;
@@ -197,7 +207,7 @@ Estimate BlockAverage::estimate(const FunctionOfMeans& quantity, Groups groups) 
     const double forgotten = std::max(1 - square / of_one_block, 0.0);
     of_groups = std::sqrt(square + remembered * forgotten);
   }
-  return {of_blocks.value, error_of(of_blocks.shares, of_groups)};
+  return resolved(estimate_of(of_blocks.value, of_blocks.shares, of_groups));
 }
 
 std::vector<double> BlockAverage::history(const FunctionOfMeans& quantity) const {

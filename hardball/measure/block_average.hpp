@@ -77,6 +77,9 @@ class BlockAverage {
     if (++samples_in_block_ == samples_per_block_) close_block();
   }
 
+  /// Lets all samples so far count half as much as those to come. Cost: O(bins).
+  void halve_weights();
+
   /// Leaves the full blocks that ended by `time` out of all means. Nothing may be added from then on.
   void leave_out_until(double time);
   /// When the full blocks end.
@@ -120,6 +123,7 @@ class BlockAverage {
   }
   bool restored() const;
 
+  Estimate scatter_of_ratio(std::size_t bin, std::size_t over) const;
   double sum(std::size_t bin, std::size_t block) const;
   std::vector<double> shares_of_blocks(std::size_t bin, std::size_t over) const;
   std::vector<double> shares_of_groups(const FunctionOfMeans& quantity, std::size_t first,

@@ -96,7 +96,7 @@ void BondOrder::sample_bonds(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()), all.count > 0 ? 1 : 0);
 }
 
-Measurement BondOrder::result(const Scene& /*scene*/) const {
+Measurement BondOrder::result(const Scene& scene) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Bond-orientational order",
@@ -116,7 +116,12 @@ Measurement BondOrder::result(const Scene& /*scene*/) const {
     return [sum](std::span<const double> means) { return means[sum] / means[kBonded]; };
   };
   const FunctionOfMeans six_of = mean_of(kSumSix);
-  const Transient transient = find_transient(average_, std::array{six_of}, BlockAverage::Groups::coupled);
+  const FunctionOfMeans four_of = mean_of(kSumFour);
+  const FunctionOfMeans bonds_of = [](std::span<const double> means) {
+    return means[kBonds] / means[kSpheres];
+  };
+  const Transient transient = find_transient(average_, std::array{six_of, four_of, bonds_of}, scene.settled(),
+                                             BlockAverage::Groups::coupled);
   const BlockAverage average = transient.left_out_of(average_);
   const auto quantity = [&](const std::string& name, const Estimate& estimate) {
     return Quantity{name, "1", estimate.value, estimate.error};
@@ -124,10 +129,10 @@ Measurement BondOrder::result(const Scene& /*scene*/) const {
   found.quantities = {
       quantity(of_all + "4", average.ratio(kAllFour)),
       quantity(of_all + "6", average.ratio(kAllSix)),
-      quantity("mean_" + of_each + "4", average.estimate(mean_of(kSumFour), BlockAverage::Groups::coupled)),
+      quantity("mean_" + of_each + "4", average.estimate(four_of, BlockAverage::Groups::coupled)),
       quantity("mean_" + of_each + "6", average.estimate(six_of, BlockAverage::Groups::coupled)),
       quantity("mean_bonds", average.ratio(kBonds, kSpheres)),
-      {"neighbor_reach", "1", reach_}};
+      no_estimate("neighbor_reach", "1", reach_, "it is a choice of the measure")};
   Column invariant{"invariant", "1", ColumnRole::argument, {}};
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     invariant.values.push_back((static_cast<double>(bin) + 0.5) / kBins);

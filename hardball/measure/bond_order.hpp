@@ -27,6 +27,7 @@ class BondOrder {
   /// What a sample costs [ns]: 700 to 2000 ns for each chosen sphere, see NeighborQuery.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
+  void halve_weights() { average_.halve_weights(); }
   Measurement result(const Scene& scene) const;
 
  private:

@@ -12,6 +12,12 @@
 #include "hardball/theory/no_number.hpp"
 
 namespace hardball {
+namespace {
+
+constexpr const char* kCount = "it is a count of this run";
+
+}  // namespace
+
 CollisionRate::CollisionRate(const Scene& scene)
     : species_(scene.species()),
       theory_(scene.fluid()),
@@ -73,7 +79,7 @@ Measurement CollisionRate::result(const Scene& scene) const {
   using Means = std::span<const double>;
   const FunctionOfMeans rate = [&](Means means) { return 2 * means[kCollisions] / spheres_; };
   const FunctionOfMeans wall_rate = [&](Means means) { return means[kWalls] / spheres_; };
-  const Transient transient = find_transient(whole, std::array{rate});
+  const Transient transient = find_transient(whole, std::array{rate}, scene.settled());
   const BlockAverage contacts = transient.left_out_of(whole);
   const BlockAverage speeds = transient.left_out_of(speed_);
   const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
@@ -88,9 +94,9 @@ Measurement CollisionRate::result(const Scene& scene) const {
     const Estimate count = contacts.histogram(bin, 1).front();
     add(std::move(name), "T^-1", {per_sphere * count.value, per_sphere * count.error}, theory);
   };
-  found.quantities.push_back({.name = "collisions", .unit = "1", .value = whole.total(kCollisions)});
+  found.quantities.push_back(no_estimate("collisions", "1", whole.total(kCollisions), kCount));
   if (has_walls_) {
-    found.quantities.push_back({.name = "wall_contacts", .unit = "1", .value = whole.total(kWalls)});
+    found.quantities.push_back(no_estimate("wall_contacts", "1", whole.total(kWalls), kCount));
   }
   add_rate("collision_rate", kCollisions, 2 / spheres_, expected);
   const Quantity per_time = found.quantities.back();
@@ -121,6 +127,9 @@ Measurement CollisionRate::result(const Scene& scene) const {
   }
   for (double& time : found.columns.front().values) time += begin_.value();
   transient.note_in(found);
+  if (theory_.is_ideal()) {
+    for (Quantity& quantity : found.quantities) leave_open(quantity, kVelocitiesOfTheStart);
+  }
   return found;
 }
 

@@ -30,6 +30,7 @@ class CollisionRate {
   double sample_cost() const { return 8 * spheres_; }
   /// Samples the speeds, from which the mean free path follows. Cost: O(n).
   void sample(const Scene& scene);
+  void halve_weights() { speed_.halve_weights(); }
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 

@@ -59,7 +59,7 @@ void Coordination::sample(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement Coordination::result(const Scene& /*scene*/) const {
+Measurement Coordination::result(const Scene& scene) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Numbers of neighbors",
@@ -69,12 +69,12 @@ Measurement Coordination::result(const Scene& /*scene*/) const {
     return means[kNeighbors] / means[kCenters];
   };
   const Transient transient =
-      find_transient(average_, std::array{neighbors_of}, BlockAverage::Groups::separate);
+      find_transient(average_, std::array{neighbors_of}, scene.settled(), BlockAverage::Groups::separate);
   const BlockAverage average = transient.left_out_of(average_);
   const Estimate mean = average.ratio(kNeighbors, kCenters);
   found.quantities = {
       {"mean_neighbors", "1", mean.value, mean.error},
-      {"neighbor_reach", "1", reach_},
+      no_estimate("neighbor_reach", "1", reach_, "it is a choice of the measure"),
   };
   std::size_t rows = 0;
   for (std::size_t k = 0; k <= kMaxNeighbors; ++k) {

@@ -22,6 +22,7 @@ class Coordination {
   /// What a sample costs [ns]: 300 to 1200 ns for each chosen sphere, see NeighborQuery.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
+  void halve_weights() { average_.halve_weights(); }
   Measurement result(const Scene& scene) const;
 
  private:

@@ -157,7 +157,7 @@ void DensityProfiles::sample(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement DensityProfiles::result(const Scene& /*scene*/) const {
+Measurement DensityProfiles::result(const Scene& scene) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Density profiles",
@@ -169,17 +169,19 @@ Measurement DensityProfiles::result(const Scene& /*scene*/) const {
   Transient transient;
   if (walled_axes(box_) > 0) {
     const FunctionOfMeans at_walls = [&](std::span<const double> means) { return means[first_at_walls()]; };
-    transient = find_transient(average_, std::array{at_walls});
+    transient = find_transient(average_, std::array{at_walls}, scene.settled());
   }
   const BlockAverage average = transient.left_out_of(average_);
   if (walled_axes(box_) > 0) {
     const Estimate density = average.ratio(first_at_walls());
     found.quantities = {{"density_at_walls", number_density_unit(box_), density.value, density.error}};
+    require_not_negative(found.quantities.back());
   }
   // Between other faces the spheres at a wall may have another temperature than the rest.
   if (walled_axes(box_) > 0 && box_.has_plain_faces()) {
     const Estimate pressure = average.ratio(first_at_walls() + 1);
     found.quantities.push_back({"pressure_at_walls", pressure_unit(box_), pressure.value, pressure.error});
+    require_not_negative(found.quantities.back());
   }
   Column position{"position", "L", ColumnRole::argument, {}};
   for (std::size_t bin = 0; bin < most_bins_; ++bin) {

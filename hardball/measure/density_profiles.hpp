@@ -29,6 +29,7 @@ class DensityProfiles {
   /// What a sample costs [ns]: 5 ns for each sphere and bin it overlaps, along each axis.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
+  void halve_weights() { average_.halve_weights(); }
   Measurement result(const Scene& scene) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.

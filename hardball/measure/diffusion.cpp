@@ -19,6 +19,13 @@ double remainder(const Estimate& change) {
 
 }  // namespace
 
+const char* objection_to_diffusion(const Scene& scene) {
+  if (!scene.world().box().is_all(Boundary::periodic))
+    return "diffusion is measured where all axes are periodic";
+  if (scene.fluid().is_ideal()) return kVelocitiesOfTheStart;
+  return scene.settled().is_steady ? nullptr : kNotSteady;
+}
+
 std::optional<std::size_t> half_lag(std::span<const double> lags, std::size_t lag) {
   const auto half = std::ranges::lower_bound(lags, lags[lag] / 2);
   if (half == lags.end() || *half != lags[lag] / 2 || *half == 0) return std::nullopt;
@@ -47,7 +54,11 @@ Diffusion read_diffusion(const TimeCorrelation& average, std::size_t species, do
     if (!std::isnan(constant.error)) least = constant.error;
     best = {constant, lags[lag], {}};
   }
-  if (best.lag == 0) best.reason = "no lag is long enough for velocities to be forgotten";
+  if (best.lag == 0) return {.reason = "no lag is long enough for velocities to be forgotten"};
+  constexpr double kKnown = 0.5;
+  if (!(best.constant.value > 0) || best.constant.error > kKnown * best.constant.value) {
+    return {.reason = "the run is too short to know it to within a half"};
+  }
   return best;
 }
 
@@ -59,13 +70,14 @@ void add_diffusion(Measurement& found, const Diffusion& diffusion, const Species
   const std::string suffix = species.suffix(which);
   found.quantities.push_back({"diffusion_constant" + suffix, "L^2 T^-1", constant.value, constant.error,
                               expected, tolerance, diffusion.reason});
-  if (species.is_one_kind()) {
-    const double enskog = theory.enskog_diffusion(temperature);
+  const double enskog = theory.enskog_diffusion(temperature);
+  if (!std::isnan(enskog)) {
     found.quantities.push_back({"diffusion_constant_over_enskog", "1", constant.value / enskog,
                                 constant.error / enskog, expected / enskog, tolerance / enskog,
                                 diffusion.reason});
   }
-  if (diffusion.lag > 0) found.quantities.push_back({"diffusion_lag" + suffix, "T", diffusion.lag});
+  if (diffusion.lag > 0)
+    found.quantities.push_back(no_estimate("diffusion_lag" + suffix, "T", diffusion.lag, kLagChosen));
 }
 
 }  // namespace hardball

@@ -23,8 +23,8 @@ struct Diffusion {
   std::string reason = {};  ///< Why there is no value; empty if there is one.
 };
 
-/// The reason where an axis is not periodic.
-inline constexpr const char* kBounded = "diffusion is measured where all axes are periodic";
+/// Why there is no diffusion constant, whatever the lag; null if there may be one.
+const char* objection_to_diffusion(const Scene& scene);
 
 /// Reads the diffusion constant as D(t) at one of the lags: the one at which the error is least.
 ///

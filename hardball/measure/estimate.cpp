@@ -35,6 +35,12 @@ double error_of(double squares, double parts, double independent) {
 
 }  // namespace
 
+Estimate resolved(const Estimate& estimate) {
+  constexpr double kRounding = 1e-12;
+  const bool is_resolved = estimate.error > kRounding * std::fabs(estimate.value);
+  return {estimate.value, is_resolved ? estimate.error : kNoNumber};
+}
+
 Estimate operator*(const Estimate& a, const Estimate& b) {
   return {a.value * b.value, std::hypot(a.error * b.value, a.value * b.error)};
 }

@@ -21,6 +21,10 @@ struct Estimate {
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// Without the error if that is no more than rounding: where all samples are equal, their scatter says
+/// nothing about other runs.
+Estimate resolved(const Estimate& estimate);
+
 /// A product of factors with independent errors.
 Estimate operator*(const Estimate& a, const Estimate& b);
 

@@ -138,7 +138,7 @@ void FlowProfiles::add_profiles(Measurement& found, const BlockAverage& average,
   }
 }
 
-Measurement FlowProfiles::result(const Scene& /*scene*/) const {
+Measurement FlowProfiles::result(const Scene& scene) const {
   Measurement found{
       .name = std::string(kName),
       .title = box_.is_sheared() ? "Profiles across the shear" : "Profiles between driven faces",
@@ -165,7 +165,7 @@ Measurement FlowProfiles::result(const Scene& /*scene*/) const {
       add(middle, slabs_[axis], sum);
     }
   }
-  const Transient transient = find_transient(average_, carried);
+  const Transient transient = find_transient(average_, carried, scene.settled());
   const BlockAverage average = transient.left_out_of(average_);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (slabs_[axis] > 0) add_profiles(found, average, axis);

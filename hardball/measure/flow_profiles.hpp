@@ -31,6 +31,7 @@ class FlowProfiles {
   /// What a sample costs [ns].
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
+  void halve_weights() { average_.halve_weights(); }
   Measurement result(const Scene& scene) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.

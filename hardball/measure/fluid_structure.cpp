@@ -12,7 +12,9 @@ namespace hardball {
 
 double fluid_packing_fraction(const Scene& scene) {
   const World& world = scene.world();
-  const bool holds = world.base_radii().is_common() && scene.fluid().holds();
+  const FluidTheory& fluid = scene.fluid();
+  if (fluid.holds() && fluid.is_ideal()) return 0;
+  const bool holds = world.base_radii().is_common() && fluid.holds();
   return holds ? world.sphere_volume(scene.now()) / world.box().volume()
                : std::numeric_limits<double>::quiet_NaN();
 }

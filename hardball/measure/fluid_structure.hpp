@@ -9,7 +9,7 @@
 namespace hardball {
 
 /// Packing fraction of spheres to which this theory applies: those of equal radius to which FluidTheory
-/// applies; NaN for any others. Cost: O(n).
+/// applies; zero for those of an ideal gas, NaN for any others. Cost: O(n).
 double fluid_packing_fraction(const Scene& scene);
 
 /// The static structure factor in the approximation of Percus and Yevick [1]; `wave_number` in 1 / diameter.

@@ -88,7 +88,7 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
                         "docs/measures.md"};
   const MeetingSpeed theory(motion_);
   const FunctionOfMeans speed_of = [](std::span<const double> means) { return means[kSpeed]; };
-  const Transient transient = find_transient(average_, std::array{speed_of});
+  const Transient transient = find_transient(average_, std::array{speed_of}, scene.settled());
   const BlockAverage average = transient.left_out_of(average_);
   // The sum over pairs of species, weighted by their collisions, of a function of their reduced mass.
   const bool is_equilibrium = scene.has_equilibrium(motion_);
@@ -124,6 +124,9 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
   }
   found.columns = {std::move(speed), std::move(density), std::move(error), std::move(expected)};
   transient.note_in(found);
+  if (scene.fluid().is_ideal()) {
+    for (Quantity& quantity : found.quantities) leave_open(quantity, kVelocitiesOfTheStart);
+  }
   return found;
 }
 

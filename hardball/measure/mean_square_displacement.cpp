@@ -27,7 +27,6 @@ MeanSquareDisplacement::MeanSquareDisplacement(const Scene& scene, double interv
     : theory_(scene.fluid()),
       motion_(scene.thermal_motion()),
       dimensions_(static_cast<double>(scene.world().box().dimensions())),
-      is_periodic_(scene.world().box().is_all(Boundary::periodic)),
       mean_free_time_(mean_free_time(scene.statistics())),
       begin_(scene.now()),
       average_(scene, interval, most_spheres, {}) {}
@@ -39,8 +38,8 @@ void MeanSquareDisplacement::sample(const Scene& scene) {
 }
 
 // D(t) is the slope from half the lag to the lag, at which a sphere has left its cage: moved by its radius.
-Diffusion MeanSquareDisplacement::diffusion(std::size_t species) const {
-  if (!is_periodic_) return {{}, 0, kBounded};
+Diffusion MeanSquareDisplacement::diffusion(const Scene& scene, std::size_t species) const {
+  if (const char* const objection = objection_to_diffusion(scene)) return {.reason = objection};
   const std::vector<double> lags = average_.lags();
   const double radius = average_.species().radius(species);
   const auto up_to = [&](std::size_t lag) -> std::optional<FunctionOfMeans> {
@@ -76,7 +75,7 @@ Measurement MeanSquareDisplacement::result(const Scene& scene) const {
   for (std::size_t lag = 1; lag < lags.size(); ++lag) lag_column.values.push_back(lags[lag]);
   found.columns.push_back(std::move(lag_column));
   for (std::size_t s = 0; s < species.size(); ++s) {
-    add_diffusion(found, diffusion(s), species, s, theory_, temperature);
+    add_diffusion(found, diffusion(scene, s), species, s, theory_, temperature);
     const std::string name = "mean_square_displacement" + species.suffix(s);
     Column value{name, "L^2", ColumnRole::value, {}};
     Column error{name + "_error", "L^2", ColumnRole::error, {}};

@@ -39,16 +39,17 @@ class MeanSquareDisplacement {
   friend class Persistence;
   MeanSquareDisplacement() = default;
   static void persist(auto& archive, auto& self) {
-    archive(self.theory_, self.motion_, self.dimensions_, self.is_periodic_, self.mean_free_time_,
-            self.begin_, self.average_);
+    archive(self.theory_, self.motion_, self.dimensions_);
+    bool is_periodic = false;
+    if (archive.version() < 9) archive(is_periodic);
+    archive(self.mean_free_time_, self.begin_, self.average_);
   }
 
-  Diffusion diffusion(std::size_t species) const;
+  Diffusion diffusion(const Scene& scene, std::size_t species) const;
 
   FluidTheory theory_;
   ThermalMotion motion_;  // at the start
   double dimensions_;
-  bool is_periodic_;
   double mean_free_time_;  // expected [T]
   Time begin_;
   TimeCorrelation average_;

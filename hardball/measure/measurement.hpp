@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hardball/errors/language.hpp"
+#include "hardball/measure/settled.hpp"
 
 namespace hardball {
 
@@ -18,10 +19,11 @@ struct Quantity {
   std::string name;  ///< As in "compressibility".
   std::string unit;  ///< A product of powers of L, T and M, as in "L^2 T^-1"; "1" for a pure number.
   double value = std::numeric_limits<double>::quiet_NaN();
-  double error = std::numeric_limits<double>::quiet_NaN();   ///< As in Estimate; NaN if undetermined.
+  /// As in Estimate; zero if the value is exact, NaN if undetermined.
+  double error = std::numeric_limits<double>::quiet_NaN();
   double theory = std::numeric_limits<double>::quiet_NaN();  ///< Expected value; NaN if there is no theory.
   double tolerance = 0;     ///< How far off the theory itself may be; infinite if for comparison only.
-  std::string reason = {};  ///< Why there is no value, without a comma; empty if there is one.
+  std::string reason = {};  ///< Why there is no value or no error, without a comma; empty if there are both.
 
   static void persist(auto& archive, auto& self) {
     archive(self.name, self.unit, self.value, self.error, self.theory);
@@ -61,6 +63,7 @@ struct Measurement {
   double duration = std::numeric_limits<double>::quiet_NaN();  ///< For how long it was measured [T].
   double transient = 0;                     ///< The initial part of this that is excluded from means [T].
   bool is_transient_over = true;            ///< Whether the means settled; if not, they have no errors.
+  std::string unsettled = {};               ///< Why they did not, without a comma; empty if they did.
   bool is_logarithmic_in_argument = false;  ///< How the function is best drawn.
   bool is_logarithmic_in_value = false;
 
@@ -68,7 +71,26 @@ struct Measurement {
     archive(self.name, self.title, self.formula, self.source, self.quantities, self.columns, self.duration,
             self.transient, self.is_transient_over, self.is_logarithmic_in_argument,
             self.is_logarithmic_in_value);
+    if (archive.version() >= 9) archive(self.unsettled);
   }
 };
+
+/// A number that is no estimate, such as a count, and so has no error, for a reason without a comma.
+Quantity no_estimate(const std::string& name, const std::string& unit, double value,
+                     const std::string& reason);
+
+/// Removes the error of a quantity unless its value is exact, for a reason without a comma; the theory is
+/// then for comparison only.
+void leave_open(Quantity& quantity, const std::string& reason);
+
+/// Removes the value, too.
+void leave_out(Quantity& quantity, const std::string& reason);
+
+/// Leaves out a number that by its nature is not negative, where it comes out negative by chance.
+void require_not_negative(Quantity& quantity);
+
+/// Gives every quantity that has no error a reason, and removes the errors of those whose means have not
+/// settled, as the run as a whole has not. Precondition: `duration` is set.
+void qualify(Measurement& measurement, const Settled& settled);
 
 }  // namespace hardball

@@ -26,6 +26,7 @@
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/measure/settling.hpp"
 #include "hardball/measure/step_attempts.hpp"
 #include "hardball/measure/structure_factor.hpp"
 #include "hardball/measure/temperature.hpp"
@@ -129,6 +130,11 @@ SphereId last_id_of(const World& world) {
   return world.size() > 0 ? world.id(world.slot_of_rank(world.size() - 1)) : 0;
 }
 
+// No more than one sample in a mean free time.
+SamplingSchedule scattered(const Time& begin, double cost, const Pace& pace) {
+  return SamplingSchedule::scattered(begin, power_of_two_from(pace.free_time), cost, pace);
+}
+
 template <class Measure>
 void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double>& every, const Pace& pace) {
   const Time& now = scene.now();
@@ -142,19 +148,18 @@ void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double
     const std::size_t spheres = std::min(scene.world().size(), most);
     const double cost = kFixedCost + Measure::kCostPerSphereFollowed * static_cast<double>(spheres);
     const double finest = pace.free_time / kSamplesPerFreeTime;
-    entry.schedule =
-        every ? SamplingSchedule(now, *every) : SamplingSchedule(now, finest, kWindow, cost, pace);
+    entry.schedule = every ? SamplingSchedule::regular(now, *every)
+                           : SamplingSchedule::regular(now, irrational_from(finest), kWindow, cost, pace);
     entry.measure.emplace(scene, entry.schedule.interval(), spheres);
   } else if constexpr (SamplesSteadily<Measure>) {
-    const double interval = every ? *every : power_of_two_from(pace.free_time);
-    entry.schedule = SamplingSchedule(now, interval);
+    const double interval = every ? *every : irrational_from(pace.free_time);
+    entry.schedule = SamplingSchedule::regular(now, interval);
     entry.measure.emplace(scene, interval);
   } else {
     entry.measure.emplace(scene);
     if constexpr (Samples<Measure>) {
       const double cost = kFixedCost + entry.measure->sample_cost();
-      entry.schedule =
-          every ? SamplingSchedule(now, *every) : SamplingSchedule(now, pace.free_time, 1, cost, pace);
+      entry.schedule = every ? SamplingSchedule::scattered(now, *every) : scattered(now, cost, pace);
     }
   }
 }
@@ -165,10 +170,24 @@ void take_sample(Entry<Measure>& entry, const Scene& scene) {
   entry.has_sample = true;
 }
 
+template <class Measure>
+void advance(Entry<Measure>& entry, const Time& now, std::uint64_t contacts) {
+  const int doublings = entry.schedule.advance(now, contacts);
+  if constexpr (requires { entry.measure->halve_weights(); }) {
+    for (int k = 0; k < doublings; ++k) entry.measure->halve_weights();
+  }
+}
+
 }  // namespace
 
 struct Measures::Entries : AllMeasures {
-  static void persist(auto& archive, auto& self) { archive(self.entries); }
+  std::optional<Settling> settling;  // once they have started
+  SamplingSchedule settling_schedule;
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.entries);
+    if (archive.version() >= 9) archive(self.settling, self.settling_schedule);
+  }
 };
 
 std::span<const std::string_view> measure_names() {
@@ -205,6 +224,7 @@ Measures::~Measures() = default;
 
 void Measures::check_spheres(const World& world) const {
   bool matches = !has_begun_ || (world.size() == spheres_ && last_id_of(world) == last_id_);
+  if (entries_->settling) matches = matches && entries_->settling->matches(world);
   entries_->for_each([&](const auto& entry) {
     if constexpr (requires { entry.measure->matches(world); }) {
       matches = matches && (!entry.measure || entry.measure->matches(world));
@@ -240,7 +260,7 @@ Time Measures::next_sample() const {
   if (!has_begun_) return Time(settings_.from);
   Time next = kNever;
   entries_->for_each([&](const auto& entry) { next = earlier(next, entry.schedule.next()); });
-  return next;
+  return earlier(next, entries_->settling_schedule.next());
 }
 
 void Measures::sample(const World& world, const Time& now, const ForEach& for_each) {
@@ -254,6 +274,8 @@ void Measures::sample(const World& world, const Time& now, const ForEach& for_ea
       if (NeedsImagesAtRest<Measure> && world.box().is_sheared()) return;
       if (entry.is_wanted) begin(entry, scene, settings_.every, pace);
     });
+    entries_->settling.emplace(scene);
+    entries_->settling_schedule = scattered(now, kFixedCost + entries_->settling->sample_cost(), pace);
     has_begun_ = true;
     spheres_ = world.size();
     last_id_ = last_id_of(world);
@@ -264,9 +286,15 @@ void Measures::sample(const World& world, const Time& now, const ForEach& for_ea
     if (entry.schedule.next() > now) return;
     due.push_back([&] {
       take_sample(entry, scene);
-      entry.schedule.advance(now, contacts_);
+      advance(entry, now, contacts_);
     });
   });
+  if (entries_->settling_schedule.next() <= now) {
+    due.push_back([&] {
+      entries_->settling->sample(scene);
+      entries_->settling_schedule.advance(now, contacts_);
+    });
+  }
   for_each_or_throw(for_each, due.size(), [&](std::size_t k) { due[k](); });
 }
 
@@ -278,12 +306,15 @@ void Measures::sample_the_rest(const World& world, const Time& now) {
 }
 
 std::vector<Measurement> Measures::results(const World& world, const Time& now) const {
-  const Scene scene(world, now, is_driven_);
+  const Settled settled =
+      entries_->settling ? entries_->settling->found(Scene(world, now, is_driven_)) : Settled{};
+  const Scene scene(world, now, is_driven_, settled);
   std::vector<Measurement> results;
   entries_->for_each([&](const auto& entry) {
     if (!entry.measure) return;
     results.push_back(entry.measure->result(scene));
     results.back().duration = duration(begin_, now);
+    qualify(results.back(), settled);
   });
   return results;
 }

@@ -13,6 +13,7 @@
 #include "hardball/measure/fluid_structure.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
+#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {
@@ -20,13 +21,23 @@ namespace {
 constexpr double kExpected = 10;
 constexpr double kWidestInOpenSpace = 10;
 
+// Whether centers may be closer than the sum of the radii.
+bool may_overlap(const World& world) {
+  const StepTable& steps = world.interactions().steps();
+  bool is_core_smaller = false;
+  for (std::size_t number = 0; number < steps.size(); ++number) {
+    is_core_smaller |= steps[static_cast<StepTable::Number>(number)].rules().core < 1;
+  }
+  return world.has_passing_pairs() || is_core_smaller;
+}
+
 }  // namespace
 
 NearestNeighbor::NearestNeighbor(const Scene& scene, std::size_t bins)
     : motion_(scene.thermal_motion()),
       diameter_(2 * scene.world().largest_radius()),
       dimensions_(scene.world().box().dimensions()),
-      packing_fraction_(fluid_packing_fraction(scene)),
+      packing_fraction_(may_overlap(scene.world()) ? kNoNumber : fluid_packing_fraction(scene)),
       begin_(scene.now()),
       bins_(bins),
       average_(bins + 3, kSphereGroups) {
@@ -80,7 +91,8 @@ Measurement NearestNeighbor::result(const Scene& scene) const {
   const FunctionOfMeans gap_of = [&](std::span<const double> means) {
     return means[gaps_bin()] / means[known_bin()];
   };
-  const Transient transient = find_transient(average_, std::array{gap_of}, BlockAverage::Groups::coupled);
+  const Transient transient =
+      find_transient(average_, std::array{gap_of}, scene.settled(), BlockAverage::Groups::coupled);
   const BlockAverage average = transient.left_out_of(average_);
   const Estimate mean = average.estimate(gap_of, BlockAverage::Groups::coupled);
   const std::vector<Estimate> shares = average.histogram(0, bins_, spheres_bin());
@@ -109,6 +121,9 @@ Measurement NearestNeighbor::result(const Scene& scene) const {
   result.columns = {std::move(gap), std::move(value), std::move(error)};
   if (std::isfinite(packing_fraction_)) result.columns.push_back(std::move(theory));
   transient.note_in(result);
+  if (may_overlap(scene.world())) {
+    leave_out(result.quantities.front(), "spheres that pass into each other have no gap between them");
+  }
   return result;
 }
 

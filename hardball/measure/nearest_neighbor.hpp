@@ -24,6 +24,7 @@ class NearestNeighbor {
   /// What a sample costs [ns]: 600 to 1500 ns for each chosen sphere, see NeighborQuery.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
+  void halve_weights() { average_.halve_weights(); }
   Measurement result(const Scene& scene) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.

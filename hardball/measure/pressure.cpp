@@ -24,16 +24,6 @@ struct Component {
 constexpr std::array<Component, 6> kTensor{
     {{0, 0, "xx"}, {1, 1, "yy"}, {2, 2, "zz"}, {0, 1, "xy"}, {0, 2, "xz"}, {1, 2, "yz"}}};
 
-// Adds the mean of a b and b a to six sums in the order of kTensor.
-void add_symmetric_product(double* sums, Vec3 a, Vec3 b) {
-  sums[0] += a.x * b.x;
-  sums[1] += a.y * b.y;
-  sums[2] += a.z * b.z;
-  sums[3] += (a.x * b.y + a.y * b.x) / 2;
-  sums[4] += (a.x * b.z + a.z * b.x) / 2;
-  sums[5] += (a.y * b.z + a.z * b.y) / 2;
-}
-
 // A component that there is not in two dimensions.
 bool is_along_z(const Component& component) {
   return component.second == 2;
@@ -51,88 +41,34 @@ Pressure::Pressure(const Scene& scene)
       mean_free_time_(mean_free_time(scene.statistics())),
       begin_(scene.now()),
       last_(scene.now()),
-      drift_(motion_.drift) {
-  const World& world = scene.world();
-  world.for_each_by_id([&](Slot slot) {
-    mass_ += world.mass(slot);
-    const Vec3 velocity = world.peculiar_velocity(slot, begin_) - motion_.drift;
-    for (std::size_t k = 0; k < kComponents; ++k) {
-      kinetic_[k] += world.mass(slot) * velocity[kTensor[k].first] * velocity[kTensor[k].second];
-    }
-  });
-}
+      kinetic_(scene) {}
 
 void Pressure::advance(const Time& now) {
   const double elapsed = duration(last_, now);
   last_ = now;
-  double* const carried = average_.open_bins(kKinetic);
-  for (std::size_t k = 0; k < kComponents; ++k) carried[k] += kinetic_[k] * elapsed;
-  if (box_.is_sheared()) shear_kinetic(elapsed, carried);
+  kinetic_.advance(box_, elapsed, average_.open_bins(kKinetic));
   average_.close_sample(duration(begin_, now), elapsed);
-}
-
-// Relative to the flow a sphere that rises falls behind, so v_x changes at the rate -g v_y: the components of
-// the kinetic part are polynomials in time.
-void Pressure::shear_kinetic(double elapsed, double* carried) {
-  const double turned = box_.shear().rate * elapsed;
-  auto& [xx, yy, zz, xy, xz, yz] = kinetic_;
-  carried[0] += (turned * yy / 3 - xy) * turned * elapsed;
-  carried[3] -= yy * turned * elapsed / 2;
-  carried[4] -= yz * turned * elapsed / 2;
-  xx += (turned * yy - 2 * xy) * turned;
-  xy -= yy * turned;
-  xz -= yz * turned;
-  drift_.x -= drift_.y * turned;
-}
-
-// The velocity of the flow at the place of a center, zero where there is no shear.
-Vec3 Pressure::flow_at(const Vec3& position) const {
-  return {box_.is_sheared() ? box_.flow_speed(position.y) : 0, 0, 0};
-}
-
-// An impulse dp that changes a velocity from v to w changes m v v by m w w - m v v, which is dp (v + w),
-// symmetrized.
-void Pressure::change_kinetic(const Vec3& impulse, const Vec3& before, const Vec3& after) {
-  add_symmetric_product(kinetic_.data(), impulse, (before + after) - 2 * drift_);
-}
-
-// Along axes on which nothing else acts, what changes the total momentum changes the drift.
-void Pressure::change_drift(const Vec3& impulse) {
-  Vec3 change;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!box_.is_wall(axis)) change[axis] = impulse[axis] / mass_;
-  }
-  drift_ += change;
-  add_symmetric_product(kinetic_.data(), -mass_ * change, change);
 }
 
 void Pressure::note(const VelocityChange& change) {
   if (last_ < change.time) advance(change.time);
-  const Vec3 impulse = change.mass * (change.after - change.before);
-  const Vec3 flow = flow_at(change.position);
-  change_kinetic(impulse, change.before - flow, change.after - flow);
-  change_drift(impulse);
+  kinetic_.note(box_, change);
 }
 
 void Pressure::note(const Contact& contact) {
   advance(contact.time);
+  kinetic_.note(box_, contact);
   const Vec3 impulse = contact.impulse();
-  const Vec3 flow = flow_at(contact.position);
-  change_kinetic(impulse, contact.before.first - flow, contact.after.first - flow);
-  if (!contact.is_collision()) {
-    if (contact.second >= kFaces) return;
-    const std::size_t axis = axis_of(contact.second);
-    const double force = std::fabs(impulse[axis]);
-    average_.put(kFaceForces + contact.second, force);
-    average_.put(kRadii + axis, force * contact.first_radius);
-    average_.put(kHits, 1);
+  if (contact.is_collision()) {
+    add_symmetric_product(average_.open_bins(kCollisional), impulse, -1 * contact.separation);
     return;
   }
-  const Vec3 second_impulse = contact.second_mass * (contact.after.second - contact.before.second);
-  const Vec3 flow_at_second = flow_at(contact.position + contact.separation);
-  change_kinetic(second_impulse, contact.before.second - flow_at_second,
-                 contact.after.second - flow_at_second);
-  add_symmetric_product(average_.open_bins(kCollisional), impulse, -1 * contact.separation);
+  if (contact.second >= kFaces) return;
+  const std::size_t axis = axis_of(contact.second);
+  const double force = std::fabs(impulse[axis]);
+  average_.put(kFaceForces + contact.second, force);
+  average_.put(kRadii + axis, force * contact.first_radius);
+  average_.put(kHits, 1);
 }
 
 Measurement Pressure::result(const Scene& scene) const {
@@ -168,7 +104,7 @@ Measurement Pressure::result(const Scene& scene) const {
   const auto pressure = [&](std::span<const double> means) {
     return (trace(means, kKinetic) + trace(means, kCollisional)) / (dimensions_ * volume);
   };
-  const Transient transient = find_transient(whole, std::array{compressibility});
+  const Transient transient = find_transient(whole, std::array{compressibility}, scene.settled());
   const BlockAverage average = transient.left_out_of(whole);
   const double expected =
       is_energy_conserved(motion_, scene.thermal_motion()) ? theory_.compressibility() : kNoNumber;
@@ -181,6 +117,9 @@ Measurement Pressure::result(const Scene& scene) const {
   };
   add("compressibility", "1", compressibility, 1);
   add("pressure", unit_of_pressure, pressure, kinetic_pressure);
+  if (theory_.is_ideal()) {
+    for (Quantity& of_energy_alone : found.quantities) of_energy_alone.error = 0;
+  }
   std::optional<Estimate> of_shear;
   for (std::size_t k = 0; k < kComponents; ++k) {
     if (box_.is_flat() && is_along_z(kTensor[k])) continue;
@@ -190,9 +129,10 @@ Measurement Pressure::result(const Scene& scene) const {
     });
     const Estimate collisional =
         average.estimate([&](std::span<const double> means) { return means[kCollisional + k] / volume; });
+    const double collisional_error = collisional.value == 0 ? 0 : collisional.error;
     const double elapsed = average.total(BlockAverage::kWeight);
     estimate.error =
-        std::fmax(estimate.error, std::hypot(collisional.error, kinetic_error(k, elapsed) / volume));
+        std::fmax(estimate.error, std::hypot(collisional_error, kinetic_error(k, elapsed) / volume));
     const double scale = is_diagonal ? kinetic_pressure : 0;
     found.quantities.push_back({std::string("pressure_") + kTensor[k].name, unit_of_pressure, estimate.value,
                                 estimate.error, scale * expected, scale * tolerance});
@@ -228,7 +168,8 @@ void Pressure::add_viscosity(Measurement& found, const BlockAverage& average, co
 double Pressure::kinetic_error(std::size_t component, double elapsed) const {
   const bool is_diagonal = kTensor[component].first == kTensor[component].second;
   const double variance = spheres_ * (is_diagonal ? 2 * (1 - 1 / dimensions_) : 1);
-  const double x = elapsed / ((box_.is_flat() ? 1 : 1.25) * mean_free_time_);
+  // Spheres that pass through each other forget nothing.
+  const double x = theory_.is_ideal() ? 0 : elapsed / ((box_.is_flat() ? 1 : 1.25) * mean_free_time_);
   const double forgotten = x > 1e-3 ? 2 * (x + std::expm1(-x)) / (x * x) : 1;
   return motion_.temperature() * std::sqrt(variance * forgotten);
 }

@@ -5,9 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <tuple>
 
 #include "hardball/interaction/contact.hpp"
 #include "hardball/measure/block_average.hpp"
+#include "hardball/measure/kinetic_tensor.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/theory/fluid_theory.hpp"
@@ -38,12 +40,11 @@ class Pressure {
   Pressure() = default;
   static void persist(auto& archive, auto& self) {
     archive(self.box_, self.dimensions_, self.is_homogeneous_, self.theory_, self.motion_, self.spheres_,
-            self.mean_free_time_, self.begin_, self.last_, self.mass_, self.drift_, self.kinetic_,
-            self.average_);
+            self.mean_free_time_, self.begin_, self.last_, self.kinetic_, self.average_);
   }
   bool restored() const;
 
-  static constexpr std::size_t kComponents = 6;  // xx, yy, zz, xy, xz, yz
+  static constexpr std::size_t kComponents = std::tuple_size_v<SymmetricTensor>;
   static constexpr std::size_t kXy = 3;
   // Bins of the averages.
   static constexpr std::size_t kKinetic = 0;                              // sum of m v v [M L^2 T^-2]
@@ -53,13 +54,7 @@ class Pressure {
   static constexpr std::size_t kHits = kRadii + kAxes;                    // contacts with walls [1/T]
   static constexpr std::size_t kBins = kHits + 1;
 
-  using Tensor = std::array<double, kComponents>;
-
   void advance(const Time& now);
-  void shear_kinetic(double elapsed, double* carried);
-  Vec3 flow_at(const Vec3& position) const;
-  void change_kinetic(const Vec3& impulse, const Vec3& before, const Vec3& after);
-  void change_drift(const Vec3& impulse);
   double kinetic_error(std::size_t component, double elapsed) const;
   void add_viscosity(Measurement& found, const BlockAverage& average, const Estimate& pressure_xy,
                      bool is_elastic) const;
@@ -74,9 +69,7 @@ class Pressure {
   double mean_free_time_;  // expected [T]
   Time begin_;
   Time last_;
-  double mass_ = 0;   // of all spheres [M]
-  Vec3 drift_;        // at present [L/T]
-  Tensor kinetic_{};  // relative to the drift, and to the flow of a sheared box [M L^2 T^-2]
+  KineticTensor kinetic_;
   BlockAverage average_{kBins};
 };
 

@@ -186,7 +186,7 @@ Measurement RadialDistribution::result(const Scene& scene) const {
     return means[contact_bin(0)] / means[pairs_bin(0)];
   };
   const Transient transient =
-      find_transient(average_, std::array{contact_of}, BlockAverage::Groups::separate);
+      find_transient(average_, std::array{contact_of}, scene.settled(), BlockAverage::Groups::separate);
   const BlockAverage average = transient.left_out_of(average_);
   const bool is_equilibrium = scene.has_equilibrium(motion_);
   Column distance{"distance", "L", ColumnRole::argument, {}};
@@ -203,6 +203,7 @@ Measurement RadialDistribution::result(const Scene& scene) const {
       if (average.total(near_bin(index)) < kMinNear) contact.error = std::numeric_limits<double>::quiet_NaN();
       found.quantities.push_back({"contact_value" + kind.suffix, "1", contact.value, contact.error,
                                   kind.theory, is_equilibrium ? kind.tolerance : kForComparison});
+      require_not_negative(found.quantities.back());
     }
     Column value{"g" + kind.suffix, "1", ColumnRole::value, {}};
     Column error{value.name + "_error", "1", ColumnRole::error, {}};

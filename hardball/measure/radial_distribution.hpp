@@ -36,6 +36,7 @@ class RadialDistribution {
   double sample_cost() const { return sample_cost_; }
   /// Precondition: the spheres are those of the start.
   void sample(const Scene& scene);
+  void halve_weights() { average_.halve_weights(); }
   Measurement result(const Scene& scene) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.

@@ -6,9 +6,18 @@
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/numbers/event_random.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
+namespace {
+
+// A random number that is a function of both.
+std::uint64_t drawn(std::int64_t which, std::int64_t among) {
+  return event_random(static_cast<std::uint64_t>(among), 0, static_cast<std::uint64_t>(which)).bits();
+}
+
+}  // namespace
 
 Pace expected_pace(const GasStatistics& statistics) {
   // The cost of a fast engine with spheres that fit in the caches; samples must be cheap compared with that,
@@ -31,11 +40,43 @@ double power_of_two_from(double length) {
   return std::ldexp(fraction == 0.5 ? 0.5 : 1, exponent);
 }
 
-SamplingSchedule::SamplingSchedule(const Time& begin, double finest, std::int64_t window, double sample_cost,
-                                   const Pace& pace)
-    : SamplingSchedule(begin, power_of_two_from(finest)) {
-  const double window_cost = sample_cost * static_cast<double>(window);
-  window_ = period_ = window;
+double irrational_from(double length) {
+  // Of so few bits that multiples are exact.
+  constexpr double kTwiceInverseGoldenRatio = 0x1.3c6ef3p0;
+  return kTwiceInverseGoldenRatio * power_of_two_from(length / kTwiceInverseGoldenRatio);
+}
+
+SamplingSchedule::SamplingSchedule(const Time& begin, double interval, bool is_scattered)
+    : begin_(begin.value()), interval_(interval), next_(0), is_scattered_(is_scattered) {
+  if (is_scattered_) next_ = scattered_in(0);
+}
+
+SamplingSchedule SamplingSchedule::regular(const Time& begin, double interval) {
+  return {begin, interval, false};
+}
+
+SamplingSchedule SamplingSchedule::regular(const Time& begin, double interval, std::int64_t window,
+                                           double sample_cost, const Pace& pace) {
+  SamplingSchedule schedule(begin, interval, false);
+  schedule.window_ = schedule.period_ = window;
+  schedule.spread(sample_cost, pace);
+  return schedule;
+}
+
+SamplingSchedule SamplingSchedule::scattered(const Time& begin, double interval) {
+  return {begin, interval, true};
+}
+
+SamplingSchedule SamplingSchedule::scattered(const Time& begin, double interval, double sample_cost,
+                                             const Pace& pace) {
+  SamplingSchedule schedule(begin, interval, true);
+  schedule.spread(sample_cost, pace);
+  return schedule;
+}
+
+// Chooses the first period, and how long it lasts.
+void SamplingSchedule::spread(double sample_cost, const Pace& pace) {
+  const double window_cost = sample_cost * static_cast<double>(window_);
   contacts_wanted_ = window_cost / (kShare * pace.contact_cost);
   // How often the period must double until the run pays for windows, and how many are free.
   const double ratio = window_cost / (kShare * pace.cost * period());
@@ -45,31 +86,51 @@ SamplingSchedule::SamplingSchedule(const Time& begin, double finest, std::int64_
   if (doublings > 0) {
     windows_per_count_ = static_cast<std::int64_t>(free_windows / static_cast<double>(doublings));
   }
-  if (free_windows < 1) next_ = period_;
+  next_ = first_from(free_windows < 1 ? period_ : 0);
 }
 
 Time SamplingSchedule::next() const {
-  return next_ == kNoSample ? kNever : Time(begin_ + static_cast<double>(next_) * interval_);
+  if (next_ == kNoSample) return kNever;
+  const double within = is_scattered_ ? static_cast<double>(drawn(next_, 0) >> 11) * 0x1p-53 : 0;
+  return Time(begin_ + (static_cast<double>(next_) + within) * interval_);
 }
 
-// To the next sample of this window, or the first of the next.
-void SamplingSchedule::step() {
-  ++next_;
-  const std::int64_t left = next_ % period_;
-  if (left >= window_) next_ += period_ - left;
+// The interval in which a period has its sample: that of one of its halves.
+std::int64_t SamplingSchedule::scattered_in(std::int64_t period) const {
+  std::int64_t interval = period;
+  for (std::int64_t length = period_; length > 1; length /= 2) {
+    interval = 2 * interval + static_cast<std::int64_t>(drawn(interval, length) >> 63);
+  }
+  return interval;
 }
 
+// The first interval with a sample that is not before `next`.
+std::int64_t SamplingSchedule::first_from(std::int64_t next) const {
+  const std::int64_t period = next / period_;
+  if (is_scattered_) {
+    const std::int64_t here = scattered_in(period);
+    return here >= next ? here : scattered_in(period + 1);
+  }
+  const std::int64_t left = next % period_;
+  return left < window_ ? next : next + period_ - left;
+}
+
+// A period of which one half is over goes on as the other half.
 void SamplingSchedule::double_period() {
   period_ *= 2;
-  const std::int64_t left = next_ % period_;
-  if (left >= window_) next_ += period_ - left;
+  if (is_scattered_) {
+    next_ = std::max(next_, scattered_in(next_ / period_));
+  } else {
+    next_ = first_from(next_);
+  }
 }
 
-void SamplingSchedule::advance(const Time& now, std::uint64_t contacts) {
+int SamplingSchedule::advance(const Time& now, std::uint64_t contacts) {
   constexpr double kTolerance = 0.5;
   // Moments are doubles: beyond this many intervals from zero they no longer resolve one.
   constexpr double kMaxIntervals = 0x1p50;
   const double farthest = std::max(std::fabs(begin_), std::fabs(now.value()));
+  int doublings = 0;
   while (!(farthest / interval_ < kMaxIntervals)) {
     if (contacts_wanted_ == 0) {
       throw Error(
@@ -78,17 +139,22 @@ void SamplingSchedule::advance(const Time& now, std::uint64_t contacts) {
     }
     interval_ *= 2;
     next_ = (next_ + 1) / 2;
+    ++doublings;
   }
   const std::int64_t before = next_ / period_;
   next_ = std::max(next_, static_cast<std::int64_t>((now.value() - begin_) / interval_));
-  do step();
+  do next_ = first_from(next_ + 1);
   while (next() <= now);
-  if (next_ / period_ == before || contacts_wanted_ == 0) return;
-  if (++windows_ < windows_per_count_) return;
+  if (next_ / period_ == before || contacts_wanted_ == 0) return doublings;
+  if (++windows_ < windows_per_count_) return doublings;
   const auto seen = static_cast<double>(contacts - contacts_before_);
-  if (seen < kTolerance * static_cast<double>(windows_) * contacts_wanted_) double_period();
+  if (seen < kTolerance * static_cast<double>(windows_) * contacts_wanted_) {
+    double_period();
+    ++doublings;
+  }
   contacts_before_ = contacts;
   windows_ = 0;
+  return doublings;
 }
 
 bool SamplingSchedule::restored() const {

@@ -18,14 +18,20 @@ struct Pace {
 
 Pace expected_pace(const GasStatistics& statistics);
 
-/// The times at which a measure is given the world: windows of samples at multiples of an interval.
+/// The times at which a measure is given the world.
+///
+/// No sample shares a beat with anything periodic, such as a thermostat or an oscillating wall, or its mean
+/// would be that of one phase. *Scattered* samples are for means over time: time is divided into periods, and
+/// each has one sample, at a moment chosen at random within it, the same in every run. So their mean is that
+/// over time, whatever else repeats. Where the period is twice as long, samples are every other one of those
+/// before, so that samples of several measures coincide. *Regular* samples are for correlations in time:
+/// windows of samples at multiples of an interval, by default an irrational one.
 ///
 /// The interval never grows, since it is what resolves the motion; what grows is the period, from the start
 /// of one window to that of the next. A schedule of the measure's own choice starts with one window after the
 /// other. Work that takes kAllowance is free; it is spread over the doublings of the period after which
 /// sampling takes no more than kShare of the run. If contacts become rarer than expected, as when a gas cools
-/// or disperses, the period is doubled again. Intervals are powers of two, so that multiples are exact and
-/// samples of several measures coincide.
+/// or disperses, the period is doubled again.
 class SamplingSchedule {
  public:
   /// The fraction of a run that one measure's samples may take [1].
@@ -35,13 +41,18 @@ class SamplingSchedule {
 
   /// Never.
   SamplingSchedule() = default;
-  /// Every `interval` [T] from `begin` on, as the user asked.
-  SamplingSchedule(const Time& begin, double interval)
-      : begin_(begin.value()), interval_(interval), next_(0) {}
-  /// Of its own choice: windows of `window` samples, a power of two, no more often than every `finest` [T]. A
+
+  /// At multiples of `interval` [T] since `begin`.
+  static SamplingSchedule regular(const Time& begin, double interval);
+  /// In windows of `window` samples, a power of two, `interval` apart [T], as often as the run can afford. A
   /// sample costs `sample_cost` [ns]. The first window begins at once unless it costs more than kAllowance.
-  SamplingSchedule(const Time& begin, double finest, std::int64_t window, double sample_cost,
-                   const Pace& pace);
+  static SamplingSchedule regular(const Time& begin, double interval, std::int64_t window, double sample_cost,
+                                  const Pace& pace);
+  /// One sample in each `interval` [T] since `begin`.
+  static SamplingSchedule scattered(const Time& begin, double interval);
+  /// As often as the run can afford, but no more than one sample in each `interval` [T]. A sample costs
+  /// `sample_cost` [ns].
+  static SamplingSchedule scattered(const Time& begin, double interval, double sample_cost, const Pace& pace);
 
   /// Between the samples of a window [T].
   double interval() const { return interval_; }
@@ -50,7 +61,9 @@ class SamplingSchedule {
   /// The next sampling time; kNever for one that never samples.
   Time next() const;
   /// Advances to the first sampling time after `now`; `contacts` is how many there were since the start.
-  void advance(const Time& now, std::uint64_t contacts);
+  /// Returns how often the period has doubled: each sample now stands for that many times twice as much time
+  /// as those before.
+  int advance(const Time& now, std::uint64_t contacts);
 
  private:
   friend class Persistence;
@@ -62,13 +75,17 @@ class SamplingSchedule {
     } else {
       archive(self.windows_, self.window_, self.period_, self.windows_per_count_);
     }
+    if (archive.version() >= 9) archive(self.is_scattered_);
   }
   bool restored() const;
 
   static constexpr std::int64_t kNoSample = -1;
   static constexpr std::int64_t kMinWindowsPerCount = 8;
 
-  void step();
+  SamplingSchedule(const Time& begin, double interval, bool is_scattered);
+  void spread(double sample_cost, const Pace& pace);
+  std::int64_t scattered_in(std::int64_t period) const;
+  std::int64_t first_from(std::int64_t next) const;
   void double_period();
 
   double begin_ = 0;
@@ -80,9 +97,15 @@ class SamplingSchedule {
   std::uint64_t contacts_before_ = 0;
   std::int64_t windows_ = 0;  // since the contacts were last counted
   std::int64_t windows_per_count_ = kMinWindowsPerCount;
+  bool is_scattered_ = false;
 };
 
 /// The least power of two that is at least `length`. Precondition: it is positive and finite.
 double power_of_two_from(double length);
+
+/// The least product of a power of two and twice the golden ratio's inverse that is at least `length` [T]:
+/// multiples of it come to all phases of anything whose period is a rational number, evenly. Precondition: as
+/// for power_of_two_from().
+double irrational_from(double length);
 
 }  // namespace hardball

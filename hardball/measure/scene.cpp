@@ -51,7 +51,7 @@ const NeighborQuery& Scene::surroundings() const {
 
 bool Scene::has_equilibrium(const ThermalMotion& begin) const {
   return is_energy_conserved(begin, thermal_motion()) && !world_.box().is_any(Boundary::open) &&
-         world_.box().has_plain_faces();
+         world_.box().has_plain_faces() && !fluid().is_ideal();
 }
 
 Vec3 Scene::unfolded_center(Slot slot) const {

@@ -4,9 +4,11 @@
 
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hardball/measure/neighbor_query.hpp"
+#include "hardball/measure/settled.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/species_list.hpp"
@@ -20,14 +22,16 @@ namespace hardball {
 class Scene {
  public:
   /// Refers to the world, which must not change while the scene is in use; a world is driven if a thermostat
-  /// has acted on it. Precondition: no contact lies between the stored paths and `now`.
-  Scene(const World& world, const Time& now, bool is_driven = false)
-      : world_(world), now_(now), is_driven_(is_driven) {}
+  /// has acted on it; `settled` says how far it has come from its start. Precondition: no contact lies
+  /// between the stored paths and `now`.
+  Scene(const World& world, const Time& now, bool is_driven = false, Settled settled = {})
+      : world_(world), now_(now), is_driven_(is_driven), settled_(std::move(settled)) {}
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
   const World& world() const { return world_; }
   const Time& now() const { return now_; }
+  const Settled& settled() const { return settled_; }
 
   // Each costs O(n) when first requested.
   const SpeciesList& species() const;
@@ -38,7 +42,7 @@ class Scene {
   const std::vector<Vec3>& centers() const;
   const NeighborQuery& surroundings() const;
   /// Whether there can be the equilibrium of an isolated system: the energy is that at the start, `begin`,
-  /// no axis is open, and no face of the box heats or drags.
+  /// no axis is open, no face of the box heats or drags, and some spheres deflect each other.
   bool has_equilibrium(const ThermalMotion& begin) const;
   /// The center of a sphere, followed through periodic boundaries [L].
   Vec3 unfolded_center(Slot slot) const;
@@ -47,6 +51,7 @@ class Scene {
   const World& world_;
   Time now_;
   bool is_driven_;
+  Settled settled_;
   mutable std::recursive_mutex mutex_;  // of what follows, some of which needs other parts of it
   // Computed so far.
   mutable std::optional<SpeciesList> species_;

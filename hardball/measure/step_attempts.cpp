@@ -85,7 +85,7 @@ Measurement StepAttempts::result(const Scene& scene) const {
   up_to_now.advance(scene.now());
   const BlockAverage& whole = up_to_now.average_;
   const FunctionOfMeans energy = [this](Means means) { return (start_ + means[kPotential]) / spheres_; };
-  const Transient transient = find_transient(whole, std::array{energy});
+  const Transient transient = find_transient(whole, std::array{energy}, scene.settled());
   const BlockAverage average = transient.left_out_of(whole);
   const Estimate mean = average.estimate(energy);
   found.quantities.push_back({"potential_energy", kUnitOfEnergy, mean.value, mean.error});

@@ -185,7 +185,7 @@ void StructureFactor::sample(const Scene& scene) {
   shells_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement StructureFactor::result(const Scene& /*scene*/) const {
+Measurement StructureFactor::result(const Scene& scene) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Static structure factor",
@@ -196,7 +196,7 @@ Measurement StructureFactor::result(const Scene& /*scene*/) const {
   const FunctionOfMeans mean_of_shells = [](std::span<const double> means) {
     return std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());
   };
-  const Transient transient = find_transient(shells_, std::array{mean_of_shells});
+  const Transient transient = find_transient(shells_, std::array{mean_of_shells}, scene.settled());
   const BlockAverage shells = transient.left_out_of(shells_);
   Column wave_number{"wave_number", "L^-1", ColumnRole::argument, {}};
   Column value{"structure_factor", "1", ColumnRole::value, {}};
@@ -238,6 +238,7 @@ Measurement StructureFactor::result(const Scene& /*scene*/) const {
     add("highest_peak", "1", value.values[peak], error.values[peak]);
     add("highest_peak_wave_number", "L^-1", wave_number.values[peak],
         std::numeric_limits<double>::quiet_NaN());
+    if (is_peak) found.quantities.back().reason = "it is known to the width of a shell of wave numbers";
   }
   found.columns = {std::move(wave_number), std::move(value), std::move(error)};
   if (std::isfinite(packing_fraction_)) found.columns.push_back(std::move(theory));

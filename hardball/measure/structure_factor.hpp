@@ -35,6 +35,7 @@ class StructureFactor {
   /// What a sample costs [ns]: 3 ns for each sphere and wave vector.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
+  void halve_weights() { shells_.halve_weights(); }
   Measurement result(const Scene& scene) const;
 
  private:

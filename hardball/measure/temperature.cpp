@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/temperature.hpp"
 
-#include <limits>
+#include <array>
 #include <numeric>
 #include <string>
-#include <utility>
 
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
@@ -14,6 +13,7 @@ namespace hardball {
 namespace {
 
 constexpr const char* kEnergyUnit = "M L^2 T^-2";
+constexpr const char* kBegunEarlier = "the run was begun by a version that did not follow the energy";
 
 // Bins of the average; those of the species follow, and that of the spins, sum of I w^2, is the last.
 constexpr std::size_t kTime = 0;    // since the start
@@ -28,32 +28,58 @@ Temperature::Temperature(const Scene& scene)
     : species_(scene.species()),
       masses_(species_.size()),
       box_(scene.world().box()),
-      spheres_(static_cast<double>(scene.world().size())),
+      spheres_(0),
       motion_(scene.thermal_motion()),
       begin_(scene.now()),
-      average_(kOfSpecies + species_.size() + 1, kSphereGroups) {
+      last_(scene.now()),
+      is_followed_(true),
+      kinetic_(scene),
+      samples_(kOfSpecies + species_.size() + 1, kSphereGroups) {
   const World& world = scene.world();
-  world.for_each_by_id([&](Slot slot) { masses_[species_.of(world.id(slot))] += world.mass(slot); });
+  world.for_each_by_id([&](Slot slot) {
+    if (world.is_kinematic(slot)) return;
+    ++spheres_;
+    masses_[species_.of(world.id(slot))] += world.mass(slot);
+  });
+}
+
+void Temperature::advance(const Time& now) {
+  const double elapsed = duration(last_, now);
+  last_ = now;
+  kinetic_.advance(box_, elapsed, energy_.open_bins(0));
+  energy_.close_sample(duration(begin_, now), elapsed);
+}
+
+void Temperature::note(const Contact& contact) {
+  advance(contact.time);
+  kinetic_.note(box_, contact);
+}
+
+void Temperature::note(const VelocityChange& change) {
+  if (last_ < change.time) advance(change.time);
+  kinetic_.note(box_, change);
 }
 
 void Temperature::sample(const Scene& scene) {
   const World& world = scene.world();
   if (world.size() == 0) return;
   const ThermalMotion& motion = scene.thermal_motion();
-  average_.put(kTime, duration(begin_, scene.now()));
-  average_.put(kAll, motion.temperature());
+  samples_.put(kTime, duration(begin_, scene.now()));
+  samples_.put(kAll, motion.temperature());
   std::size_t rank = 0;
   world.for_each_by_id([&](Slot slot) {
+    const std::size_t group = group_of(rank++);
+    if (world.is_kinematic(slot)) return;
     const Vec3 v = world.peculiar_velocity(slot, scene.now()) - motion.drift;
     const double mass = world.mass(slot);
-    double* const sums = average_.open_bins(0, group_of(rank++));
+    double* const sums = samples_.open_bins(0, group);
     const double square = mass * dot(v, v);
     sums[kSquare] += square;
     for (std::size_t axis = 0; axis < kAxes; ++axis) sums[kAlong + axis] += mass * v[axis] * v[axis];
     sums[kOfSpecies + species_.of(world.id(slot))] += square;
     sums[kOfSpecies + species_.size()] += 2 * rotational_energy(world, slot);
   });
-  average_.close_sample(duration(begin_, scene.now()));
+  samples_.close_sample(duration(begin_, scene.now()));
 }
 
 // The degrees of freedom of so many spheres with so much mass: along an axis without walls the motion of the
@@ -86,6 +112,7 @@ Measurement Temperature::result(const Scene& scene) const {
                      freedom(axis, spheres_, total_mass)});
   }
   for (std::size_t s = 0; species_.size() > 1 && s < species_.size(); ++s) {
+    if (masses_[s] == 0) continue;
     double of_species = 0;
     for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
       of_species += freedom(axis, static_cast<double>(species_.count(s)), masses_[s]);
@@ -96,38 +123,54 @@ Measurement Temperature::result(const Scene& scene) const {
     const double freedom_of_spin = box_.is_flat() ? 1 : kAxes;
     parts.push_back({"rotational_temperature", kOfSpecies + species_.size(), freedom_of_spin * spheres_});
   }
+  // The temperature of a part over that of all.
+  const auto share_of = [this](const Part& part) -> FunctionOfMeans {
+    return [bin = part.bin, scale = motion_.degrees_of_freedom / part.freedom](Means means) {
+      return means[bin] / means[kSquare] * scale;
+    };
+  };
   std::vector<FunctionOfMeans> shares;
-  for (const Part& part : parts) {
-    shares.push_back([bin = part.bin](Means means) { return means[bin] / means[kSquare]; });
-  }
-  const Transient transient = find_transient(average_, shares, BlockAverage::Groups::exchanging);
-  const BlockAverage average = transient.left_out_of(average_);
-
+  for (const Part& part : parts) shares.push_back(share_of(part));
+  Temperature up_to_now = *this;
+  up_to_now.advance(scene.now());
+  const FunctionOfMeans of_all = [this](Means means) {
+    return (means[0] + means[1] + means[2]) / motion_.degrees_of_freedom;
+  };
   const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
-  Estimate all = average.ratio(kAll);
-  if (is_conserved) all.error = 0;
-  found.quantities.push_back({"temperature", kEnergyUnit, all.value, all.error});
+  Transient transient = find_transient(samples_, shares, scene.settled(), BlockAverage::Groups::exchanging);
+  if (!is_conserved) {
+    transient = longer(transient, find_transient(up_to_now.energy_, std::array{of_all}, scene.settled()));
+  }
+  if (!scene.settled().is_steady) transient = {.end = {}, .is_over = false, .reason = kNotSteady};
+  const BlockAverage samples = transient.left_out_of(samples_);
+
+  Estimate all;
+  if (is_followed_) all = transient.left_out_of(up_to_now.energy_).estimate(of_all);
+  if (is_followed_ && is_conserved) all.error = 0;
+  if (duration(begin_, scene.now()) == 0) all.value = motion_.temperature();
+  found.quantities.push_back({.name = "temperature",
+                              .unit = kEnergyUnit,
+                              .value = all.value,
+                              .error = all.error,
+                              .reason = is_followed_ ? "" : kBegunEarlier});
   found.columns.push_back({"time", "T", ColumnRole::argument,
-                           average_.history([&](Means means) { return begin_.value() + means[kTime]; })});
+                           samples_.history([&](Means means) { return begin_.value() + means[kTime]; })});
   found.columns.push_back({"temperature", kEnergyUnit, ColumnRole::value,
-                           average_.history([](Means means) { return means[kAll]; })});
-  const double square = average.mean(kSquare);
+                           samples_.history([](Means means) { return means[kAll]; })});
   const double tolerance = scene.has_equilibrium(motion_) ? 0 : kForComparison;
   for (const Part& part : parts) {
-    const FunctionOfMeans of_sum = [&](Means means) { return means[part.bin] / part.freedom; };
-    // As in mean_speed.
-    const FunctionOfMeans of_share = [&](Means means) { return of_sum(means) / means[kSquare] * square; };
-    const Estimate value = is_conserved ? average.estimate(of_share, BlockAverage::Groups::exchanging)
-                                        : average.estimate(of_sum);
+    const Estimate value = all * samples.estimate(share_of(part), BlockAverage::Groups::exchanging);
     found.quantities.push_back({part.name, kEnergyUnit, value.value, value.error, all.value, tolerance});
-    found.columns.push_back({part.name, kEnergyUnit, ColumnRole::value, average_.history(of_sum)});
+    found.columns.push_back({part.name, kEnergyUnit, ColumnRole::value,
+                             samples_.history([&](Means means) { return means[part.bin] / part.freedom; })});
   }
   transient.note_in(found);
   return found;
 }
 
 bool Temperature::restored() const {
-  return average_.has(kOfSpecies + species_.size() + 1, kSphereGroups) && masses_.size() == species_.size();
+  return samples_.has(kOfSpecies + species_.size() + 1, kSphereGroups) && energy_.has(kComponents) &&
+         masses_.size() == species_.size();
 }
 
 bool Temperature::matches(const World& world) const {

@@ -190,6 +190,8 @@ std::string obstacle_of(const Scene& scene) {
   if (!world.surfaces().empty() || !world.motion().is_straight())
     return "transport is measured without walls and gravity";
   if (world.has_steps()) return "transport is measured without potentials of steps";
+  if (world.interactions().has_passing() || world.has_kinematic())
+    return "transport is measured of spheres that all deflect each other";
   if (!world.interactions().are_elastic()) return "transport is measured of elastic spheres";
   if (world.size() < 2 || !(scene.thermal_motion().energy > 0)) return "nothing moves";
   return "";
@@ -218,6 +220,7 @@ void add_coefficient(Measurement& found, const MomentLags& lags, const Transport
     quantity.reason = plateau.reason;
     quantity.value = scale * plateau.slope.value;
     quantity.error = scale * plateau.slope.error;
+    require_not_negative(quantity);
   }
   const std::string name = quantity.name;
   Quantity relative{name + "_over_enskog",    "1",
@@ -226,7 +229,7 @@ void add_coefficient(Measurement& found, const MomentLags& lags, const Transport
                     quantity.reason};
   found.quantities.push_back(std::move(quantity));
   if (!std::isnan(enskog)) found.quantities.push_back(std::move(relative));
-  if (plateau.lag > 0) found.quantities.push_back({name + "_lag", "T", plateau.lag});
+  if (plateau.lag > 0) found.quantities.push_back(no_estimate(name + "_lag", "T", plateau.lag, kLagChosen));
   found.is_logarithmic_in_argument = true;
   if (!lag.values.empty()) found.columns = {std::move(lag), std::move(value), std::move(error)};
 }
@@ -261,7 +264,7 @@ CollectiveTransport<kCoefficient>::CollectiveTransport(const Scene& scene, doubl
     conditions_.obstacle = "mutual diffusion is measured of two species";
   const Rates& weights = conditions_.dimensions == 2 ? kind.weights_of_discs : kind.weights;
   const double free_time = expected_pace(scene.statistics()).free_time;
-  const double interval = conditions_.obstacle.empty() ? power_of_two_from(base * free_time) : 1;
+  const double interval = conditions_.obstacle.empty() ? irrational_from(base * free_time) : 1;
   moment_ = CollectiveMoment(
       scene.now(), MomentLags(interval, std::vector<double>(weights.begin(), weights.end()), kind.has_mean));
   if (!conditions_.obstacle.empty()) return;

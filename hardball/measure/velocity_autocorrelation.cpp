@@ -35,7 +35,6 @@ VelocityAutocorrelation::VelocityAutocorrelation(const Scene& scene, double inte
     : theory_(scene.fluid()),
       motion_(scene.thermal_motion()),
       dimensions_(static_cast<double>(scene.world().box().dimensions())),
-      is_periodic_(scene.world().box().is_all(Boundary::periodic)),
       mean_free_time_(mean_free_time(scene.statistics())),
       begin_(scene.now()),
       average_(scene, interval, most_spheres, kShape) {}
@@ -81,8 +80,9 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
       };
     };
     const auto up_to = [&](std::size_t lag) { return product(lag, kIntegral); };
-    const Diffusion diffusion =
-        is_periodic_ ? read_diffusion(average_, s, mean_free_time_, up_to) : Diffusion{{}, 0, kBounded};
+    const char* const objection = objection_to_diffusion(scene);
+    const Diffusion diffusion = objection != nullptr ? Diffusion{.reason = objection}
+                                                     : read_diffusion(average_, s, mean_free_time_, up_to);
     add_diffusion(found, diffusion, species, s, theory_, temperature);
     const std::string name = "velocity_autocorrelation" + species.suffix(s);
     const std::string integral_name = "diffusion_integral" + species.suffix(s);

@@ -39,14 +39,15 @@ class VelocityAutocorrelation {
   VelocityAutocorrelation() = default;
   static void persist(auto& archive, auto& self) {
     archive(self.theory_, self.motion_, self.dimensions_, self.mean_free_time_, self.average_);
-    if (archive.version() >= 2) archive(self.is_periodic_, self.begin_);
+    bool is_periodic = false;
+    if (archive.version() >= 2 && archive.version() < 9) archive(is_periodic);
+    if (archive.version() >= 2) archive(self.begin_);
   }
   bool restored();
 
   FluidTheory theory_;
   ThermalMotion motion_;  // at the start
   double dimensions_;
-  bool is_periodic_ = false;
   double mean_free_time_;  // expected [T]
   Time begin_;
   TimeCorrelation average_;

@@ -81,7 +81,7 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
     return means[kFourth] * means[kSpheres] / (means[kSquare] * means[kSquare]);
   };
   const Transient transient =
-      find_transient(average_, std::array{kurtosis_of}, BlockAverage::Groups::exchanging);
+      find_transient(average_, std::array{kurtosis_of}, scene.settled(), BlockAverage::Groups::exchanging);
   const BlockAverage average = transient.left_out_of(average_);
   const Estimate kurtosis = average.estimate(kurtosis_of, BlockAverage::Groups::exchanging);
   const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());

@@ -25,6 +25,7 @@ class VelocityDistribution {
   double sample_cost() const { return 30 * spheres_; }
   /// Cost: O(n).
   void sample(const Scene& scene);
+  void halve_weights() { average_.halve_weights(); }
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 

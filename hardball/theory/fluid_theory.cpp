@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/theory/fluid_theory.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
@@ -21,6 +23,29 @@ double mixture_compressibility(const std::array<double, 4>& xi) {
   const double free = 1 - xi[3];
   return 1 / free + 3 * xi[1] * xi[2] / (xi[0] * free * free) +
          xi[2] * xi[2] * xi[2] * (3 - xi[3]) / (xi[0] * free * free * free);
+}
+
+// Whether spheres of the species that there are pass through each other: those of any two, and of all.
+struct PassingPairs {
+  bool any = false;
+  bool all = false;
+};
+
+PassingPairs passing_in(const World& world) {
+  if (!world.interactions().has_passing()) return {};
+  std::vector<SpeciesId> present;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    const auto place = std::ranges::lower_bound(present, world.species(slot));
+    if (place == present.end() || *place != world.species(slot)) present.insert(place, world.species(slot));
+  }
+  PassingPairs found{.any = false, .all = true};
+  for (const SpeciesId a : present) {
+    for (const SpeciesId b : present) {
+      const bool pass = world.interactions().pass(a, b);
+      found = {found.any || pass, found.all && pass};
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -51,11 +76,18 @@ FluidTheory::FluidTheory(const World& world, const SpeciesList& species)
     : species_(species),
       is_flat_(world.box().is_flat()),
       holds_(world.box().is_all(Boundary::periodic) && world.motion().is_straight() &&
-             world.surfaces().empty() && world.size() > 1 && !world.has_steps()),
+             world.surfaces().empty() && world.size() > 1 && !world.has_steps() && !world.has_kinematic()),
       has_equal_radii_(world.base_radii().is_common()),
       density_(static_cast<double>(world.size()) / world.box().volume()),
       compressibility_(kNoNumber) {
+  const PassingPairs passing = passing_in(world);
+  is_ideal_ = world.size() > 1 && passing.all;
+  holds_ = holds_ && (is_ideal_ || !passing.any);
   if (!holds_) return;
+  if (is_ideal_) {
+    compressibility_ = 1;
+    return;
+  }
   std::array<double, 4> xi{};
   world.for_each_by_id([&](Slot slot) {
     double power = 1;
@@ -105,6 +137,7 @@ double FluidTheory::tolerance() const {
 // second derivative of the density of pairs with respect to that of spheres, in units of these, S being the
 // structure factor at zero.
 double FluidTheory::fixed_number() const {
+  if (is_ideal_) return 1 - 1 / spheres();
   constexpr double kStep = 0.01;
   const auto pairs = [this](double density) {
     const double packing = density * packing_fraction_;
@@ -137,6 +170,7 @@ double FluidTheory::contact_value(std::size_t a, std::size_t b) const {
 }
 
 double FluidTheory::contact_value_of_many(std::size_t a, std::size_t b) const {
+  if (is_ideal_) return 1;
   const double free = 1 - packing_fraction_;
   const double mean_curvature = (is_flat_ ? 2 : 1) * 2 * species_.radius(a) * species_.radius(b) /
                                 (species_.radius(a) + species_.radius(b)) * surface_;
@@ -186,7 +220,7 @@ double FluidTheory::mean_speed(double temperature) const {
 }
 
 double FluidTheory::enskog_diffusion(double temperature) const {
-  if (!species_.is_one_kind() || !holds_) return kNoNumber;
+  if (!species_.is_one_kind() || !holds_ || is_ideal_) return kNoNumber;
   // The dilute gas to first and to higher order in Sonine polynomials.
   constexpr double kHigherOrders = 1.01896;
   const double diameter = 2 * species_.radius(0);

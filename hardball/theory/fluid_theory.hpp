@@ -15,7 +15,9 @@ double fluid_compressibility(double packing_fraction);
 
 /// Theory of the hard-sphere fluid in equilibrium in a periodic box, with a given number of spheres, fixed
 /// energy and no total momentum: all that measured numbers are compared with. Where it does not apply, as
-/// with walls, or beyond freezing, everything is NaN. Temperatures are k T [M L^2 T^-2].
+/// with walls, kinematic spheres, spheres some of which pass through each other, or beyond freezing,
+/// everything is NaN. Spheres all of which pass through each other are an ideal gas, whatever their radii.
+/// Temperatures are k T [M L^2 T^-2].
 ///
 /// With fewer spheres there are fewer pairs, the density about a sphere is lower, and speeds vary less: all
 /// in proportion to one over their number. Source: Lebowitz and Percus, Phys. Rev. 122 (1961) 1675;
@@ -41,6 +43,8 @@ class FluidTheory {
   FluidTheory(const World& world, const SpeciesList& species);
 
   bool holds() const { return holds_; }
+  /// Whether all spheres pass through each other, so that nothing brings them to equilibrium.
+  bool is_ideal() const { return is_ideal_; }
   /// By which fraction Z - 1, contact values and collision rates may be off [1]: what the equations of state
   /// leave open, and in dense systems of few spheres what the periodic images do.
   double tolerance() const;
@@ -89,6 +93,7 @@ class FluidTheory {
     archive(self.species_, self.is_flat_, self.holds_, self.has_equal_radii_, self.density_,
             self.packing_fraction_, self.surface_, self.compressibility_);
     if (archive.version() >= 2) archive(self.mean_free_path_);
+    if (archive.version() >= 9) archive(self.is_ideal_);
   }
 
   double spheres() const;
@@ -96,12 +101,13 @@ class FluidTheory {
   double fixed_energy() const;
   double contact_value_of_many(std::size_t a, std::size_t b) const;
   // Whether there is a theory of transport: equal spheres in a fluid.
-  bool has_transport() const { return species_.is_one_kind() && holds_ && !is_flat_; }
+  bool has_transport() const { return species_.is_one_kind() && holds_ && !is_flat_ && !is_ideal_; }
   // What the dilute gas has of viscosity [M L^-1 T^-1].
   double dilute_viscosity(double temperature) const;
 
   SpeciesList species_;
   bool is_flat_ = false;
+  bool is_ideal_ = false;
   bool holds_ = false;
   bool has_equal_radii_ = false;
   double density_ = 0;  // [L^-3], of discs [L^-2]

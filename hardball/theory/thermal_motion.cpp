@@ -11,6 +11,16 @@ double mean_over_normal(double degrees_of_freedom) {
   return std::sqrt(f / 2) * std::exp(std::lgamma(f / 2) - std::lgamma((f + 1) / 2));
 }
 
+std::array<bool, kAxes> drift_axes(const World& world) {
+  std::array<bool, kAxes> has_drift{};
+  const Box& box = world.box();
+  if (world.has_kinematic() || !world.surfaces().empty() || !box.has_plain_faces()) return has_drift;
+  for (std::size_t axis = 0; axis < box.dimensions(); ++axis) {
+    has_drift[axis] = !box.is_wall(axis) && world.motion().gravity()[axis] == 0;
+  }
+  return has_drift;
+}
+
 ThermalMotion thermal_motion(const World& world, const Time& moment) {
   ThermalMotion motion;
   motion.is_driven = world.box().is_sheared();
@@ -25,10 +35,9 @@ ThermalMotion thermal_motion(const World& world, const Time& moment) {
     mass += world.mass(slot);
   });
   motion.degrees_of_freedom = static_cast<double>(world.box().dimensions() * deflected);
-  for (std::size_t axis = 0; axis < world.box().dimensions(); ++axis) {
-    if (deflected < world.size() || world.box().is_wall(axis) || !world.surfaces().empty() ||
-        !world.box().has_plain_faces() || world.motion().gravity()[axis] != 0)
-      continue;
+  const std::array<bool, kAxes> has_drift = drift_axes(world);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!has_drift[axis]) continue;
     motion.drift[axis] = momentum[axis] / mass;
     --motion.degrees_of_freedom;
   }

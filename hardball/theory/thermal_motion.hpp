@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -31,6 +33,10 @@ struct ThermalMotion {
 /// of a normal distribution with the same variance [1]: 1 + 1 / 4f for many. The direction of the motion is
 /// uniform on a sphere in f dimensions.
 double mean_over_normal(double degrees_of_freedom);
+
+/// The axes on which momentum is conserved, so that the spheres may drift: those without walls and gravity,
+/// if there are no surfaces, no kinematic spheres, and no faces of the box that drag. Cost: O(1).
+std::array<bool, kAxes> drift_axes(const World& world);
 
 /// Cost: O(n).
 ThermalMotion thermal_motion(const World& world, const Time& moment);

@@ -157,6 +157,8 @@ class HARDBALL_EXPORT World {
   /// pass through each other: in one flag, as every contact asks.
   bool has_traits() const { return has_traits_; }
   bool has_spins() const { return !spins_.empty(); }
+  /// Whether any sphere is kinematic.
+  bool has_kinematic() const { return kinematic_count_ > 0; }
   /// Whether contacts of some pairs do not deflect them: species that pass, and kinematic spheres.
   bool has_passing_pairs() const { return interactions_.has_passing() || kinematic_count_ > 1; }
   /// Whether the contacts of two spheres do not deflect them.

@@ -130,6 +130,7 @@ void bind_measurements(py::module_& module) {
       .def_readonly("duration", &Measurement::duration, doc::Measurement_duration)
       .def_readonly("transient", &Measurement::transient, doc::Measurement_transient)
       .def_readonly("is_transient_over", &Measurement::is_transient_over, doc::Measurement_is_transient_over)
+      .def_readonly("unsettled", &Measurement::unsettled, doc::Measurement_unsettled)
       .def("__repr__", [](const Measurement& self) { return text_of(self); });
   module.def(
       "measure_names",

@@ -4,12 +4,17 @@
 // The measures that `hardball run` writes.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "cli/program.hpp"
+#include "hardball/errors/error.hpp"
 #include "hardball/measure/measure_settings.hpp"
 
 namespace hardball::measures_test {
@@ -84,9 +89,10 @@ TEST_F(MeasuredRun, StartsAtTheRequestedTime) {
   hash({"--out", "out", "--set", "measures.names=[\"temperature\"]", "--set", "measures.from=2", "--set",
         "measures.every=1"});
   const std::string table = read_text(folder_ / "out" / "measures" / "temperature.csv");
-  EXPECT_NE(table.find("\n2,"), std::string::npos) << table;
-  EXPECT_NE(table.find("\n5,"), std::string::npos) << table;
-  EXPECT_EQ(table.find("\n1,"), std::string::npos) << table;
+  for (const char* const within : {"\n2.", "\n3.", "\n4."}) {
+    EXPECT_NE(table.find(within), std::string::npos) << table << " has a sample in each unit of time";
+  }
+  EXPECT_EQ(table.find("\n1."), std::string::npos) << table;
 }
 
 TEST_F(MeasuredRun, RefusesAnUnknownMeasureAndNamesTheNearest) {
@@ -108,6 +114,118 @@ TEST_F(MeasuredRun, WritesWhatItHasWhenInterrupted) {
   EXPECT_EQ(program.wait().exit_code, 1);
   EXPECT_TRUE(exists("measures/quantities.csv"));
   EXPECT_TRUE(exists("measures/pressure.csv"));
+}
+
+// Numbers that are easily read as true and are not, with all measures as they are by default.
+class HonestRun : public testing::Test {
+ protected:
+  // The quantities of a run, by measure and name, and the verdict of its report.
+  struct Row {
+    double value;
+    double error;
+    double theory;
+    double tolerance;
+    std::string reason;
+  };
+  void run(const std::string& scenario) {
+    write_text(folder_ / "run.toml", scenario);
+    const Outcome outcome = run_program(folder_, {"run", "run.toml", "--out", "out"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
+    std::istringstream table(read_text(folder_ / "out/measures/quantities.csv"));
+    std::string line;
+    std::getline(table, line);
+    while (std::getline(table, line)) {
+      std::vector<std::string> fields;
+      std::istringstream row(line);
+      for (std::string field; std::getline(row, field, ',');) fields.push_back(field);
+      fields.resize(9);
+      rows_[fields[0] + "." + fields[1]] = {std::stod(fields[2]), std::stod(fields[3]), std::stod(fields[4]),
+                                            std::stod(fields[7]), fields[8]};
+    }
+    const std::string html = read_text(folder_ / "out/report.html");
+    const std::string begin = "<strong>";
+    const std::size_t at = html.find(begin, html.find("class=\"verdict")) + begin.size();
+    verdict_ = html.substr(at, html.find('<', at) - at);
+    for (const auto& [name, row] : rows_) {
+      EXPECT_TRUE(std::isfinite(row.error) || !row.reason.empty()) << name << " has neither error nor reason";
+    }
+  }
+  const Row& row(const std::string& name) const { return rows_.at(name); }
+
+  ScratchFolder folder_;
+  std::map<std::string, Row> rows_;
+  std::string verdict_;
+};
+
+std::string gas_in_cube(int count, double edge, const std::string& placement = "random") {
+  const std::string size = to_text(edge);
+  return "[box]\nsize = [" + size + ", " + size + ", " + size +
+         "]\nboundary = [\"periodic\", \"periodic\", \"periodic\"]\n[[spheres]]\ncount = " +
+         std::to_string(count) + "\nradius = 0.5\nplacement = \"" + placement + "\"\ntemperature = 1.0\n";
+}
+
+TEST_F(HonestRun, SeesAGasThatIsRescaledAtAllTimes) {
+  run(gas_in_cube(500, 13.782337338022653) +
+      "[response]\nrestitution = 0.9\n[thermostat]\nkind = \"rescale\"\ntemperature = 1.0\nevery = 1.0\n"
+      "[run]\nuntil = 300.0\nseed = 1\n");
+  const Row& temperature = row("temperature.temperature");
+  EXPECT_NEAR(temperature.value, 0.948, 0.001) << "the pressure over the density and Z says so, too";
+  EXPECT_LT(temperature.error, 0.001);
+  const double by_pressure = row("pressure.pressure").value / row("pressure.compressibility").value *
+                             std::pow(13.782337338022653, 3) / 499;
+  EXPECT_NEAR(temperature.value / by_pressure, 1, 0.002);
+  const Row& speed = row("velocity_distribution.mean_speed");
+  EXPECT_NEAR(speed.value, std::sqrt(8 * 0.948 / 3.14159265), 4 * speed.error + 0.005);
+  const Row& by_displacement = row("mean_square_displacement.diffusion_constant");
+  const Row& by_velocity = row("velocity_autocorrelation.diffusion_constant");
+  EXPECT_LT(std::fabs(by_displacement.value - by_velocity.value),
+            3 * std::hypot(by_displacement.error, by_velocity.error));
+}
+
+TEST_F(HonestRun, ComparesSpheresThatPassWithAnIdealGas) {
+  run(gas_in_cube(1000, 13.782337338022653) +
+      "species = \"a\"\n[[response.pairs]]\nkind = \"pass\"\nbetween = [\"a\", \"a\"]\n[[species]]\n"
+      "name = \"a\"\n[run]\nuntil = 10.0\nseed = 1\n");
+  EXPECT_EQ(row("pressure.compressibility").value, 1);
+  EXPECT_EQ(row("pressure.compressibility").theory, 1);
+  EXPECT_EQ(verdict_, "Sound.");
+  EXPECT_TRUE(std::isnan(row("mean_square_displacement.diffusion_constant").value));
+  EXPECT_TRUE(std::isnan(row("nearest_neighbor.mean_gap").value));
+  EXPECT_TRUE(std::isnan(row("nearest_neighbor.mean_gap").theory));
+}
+
+TEST_F(HonestRun, HasNoDiffusionConstantOfAGasThatCools) {
+  run(gas_in_cube(500, 23.567465337002876) +
+      "[response]\nrestitution = 0.8\n[run]\nuntil = 3000.0\nseed = 1\n");
+  for (const char* const measure : {"mean_square_displacement", "velocity_autocorrelation"}) {
+    const Row& constant = row(std::string(measure) + ".diffusion_constant");
+    EXPECT_TRUE(std::isnan(constant.value)) << measure;
+    EXPECT_FALSE(constant.reason.empty()) << measure;
+  }
+  EXPECT_NEAR(row("temperature.temperature").value, 0.01926, 0.0001) << "the mean over time";
+  EXPECT_EQ(verdict_, "Not in equilibrium.");
+}
+
+TEST_F(HonestRun, TellsACrystalOfDiscsThatHasNotMelted) {
+  run("[box]\ndimensions = 2\nsize = [34.76067989503809, 34.76067989503809]\n"
+      "boundary = [\"periodic\", \"periodic\"]\n[[spheres]]\ncount = 1000\nradius = 0.5\n"
+      "placement = \"hexagonal\"\ntemperature = 1.0\n[run]\nuntil = 2.117361021828873\nseed = 1\n");
+  EXPECT_EQ(verdict_, "Not in equilibrium.");
+  for (const char* const name :
+       {"pressure.compressibility", "collision_rate.collision_rate", "radial_distribution.contact_value"}) {
+    EXPECT_TRUE(std::isnan(row(name).error)) << name;
+    EXPECT_TRUE(std::isinf(row(name).tolerance)) << name << " is compared with no theory";
+  }
+}
+
+TEST_F(HonestRun, HasNoNumbersThatCannotBe) {
+  run(gas_in_cube(500, 8.114420609742195, "fcc") + "[run]\nuntil = 0.052891584188867725\nseed = 1\n");
+  EXPECT_EQ(verdict_, "Not in equilibrium.");
+  EXPECT_FALSE(row("radial_distribution.contact_value").value < 0);
+  for (const auto& [name, row] : rows_) {
+    EXPECT_FALSE(row.error > 0 && row.error < 1e-9 * std::fabs(row.value))
+        << name << " has an error of rounding";
+  }
 }
 
 }  // namespace

@@ -168,7 +168,11 @@ TEST_F(ReportFile, OfEveryKindOfRunIsValid) {
     run(arguments);
     EXPECT_EQ(support::faults_of_page(folder_ / (out + "/report.html")), "") << kind[1];
     const std::string html = read_text(folder_ / (out + "/report.html"));
-    EXPECT_NE(html.find("<strong>Sound.</strong>"), std::string::npos) << kind[1];
+    // A gas that spreads through open space, or cools, is in no steady state.
+    const bool is_steady = kind[1].find("open") == std::string::npos && kind[1] != "response.restitution=0.5";
+    EXPECT_NE(html.find(is_steady ? "<strong>Sound.</strong>" : "<strong>Not in equilibrium.</strong>"),
+              std::string::npos)
+        << kind[1];
     for (const char* word : {"nan", "inf<", "inf "})
       EXPECT_EQ(html.find(word), std::string::npos) << kind[1] << word;
   }

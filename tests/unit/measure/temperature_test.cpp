@@ -4,6 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "hardball/measure/measures.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/measurement.hpp"
 
 namespace hardball::temperature_test {
@@ -95,6 +105,84 @@ TEST(Temperature, TellsSpeciesApartThatDifferInNothingElse) {
   temperature.sample({world, Time(0)});
   EXPECT_NEAR(quantity(temperature.result({world, Time(0)}), "temperature_of_species_2").value, 4.0 / 3,
               1e-15);
+}
+
+// The mean temperature of a run with measures by default is that of the kinetic energy at many times. Either
+// leaves out a transient.
+void expect_mean_over_time(const Simulation& start, double until, int times, double tolerance) {
+  Simulation simulation = start;
+  Measures measures({.names = {"temperature"}});
+  simulation.run_until(until, measures);
+  const Measurement found = measures.results(simulation.world(), simulation.now()).front();
+  const double begin = found.is_transient_over ? found.transient : 0;
+  simulation = start;
+  double expected = 0;
+  for (int k = 0; k < times; ++k) {
+    simulation.run_until(begin + (k + 0.5) * (until - begin) / times);
+    expected += thermal_motion(simulation.world(), simulation.now()).temperature() / times;
+  }
+  EXPECT_NEAR(quantity(found, "temperature").value / expected, 1, tolerance);
+}
+
+// Samples of a gas that cools are denser at the start, and those at the beat of a thermostat see it at one
+// phase: neither may matter.
+TEST(Temperature, IsTheMeanOverTimeOfAGasThatCools) {
+  const World gas = support::make_gas({.count = 200, .packing_fraction = 0.1, .seed = 3});
+  expect_mean_over_time(Simulation(support::interacting(gas, Restitution(0.8))), 200, 40000, 1e-3);
+}
+
+TEST(Temperature, IsTheMeanOverTimeOfAGasThatIsRescaled) {
+  const World gas = support::make_gas({.count = 200, .packing_fraction = 0.2, .seed = 4});
+  for (const double every : {1.0, 0.25}) {
+    Simulation driven(support::interacting(gas, Restitution(0.7)));
+    driven.set_thermostat(Thermostat(Rescale(1, every)));
+    expect_mean_over_time(driven, 100, 40000, 1e-3);
+  }
+}
+
+// Of 20 mean free times, as many as there are samples: their scatter is that of random phases.
+TEST(MeanSpeed, SharesNoBeatWithAThermostat) {
+  const World gas = support::make_gas({.count = 500, .packing_fraction = 0.15, .seed = 5});
+  Simulation driven(support::interacting(gas, Restitution(0.7)));
+  driven.set_thermostat(Thermostat(Rescale(1, 1)));
+  Measures measures({.names = {"temperature", "velocity_distribution"}});
+  driven.run_until(200, measures);
+  const std::vector<Measurement> found = measures.results(driven.world(), driven.now());
+  const double temperature = quantity(found[0], "temperature").value;
+  const double speed = quantity(found[1], "mean_speed").value;
+  // Nearly Maxwell's distribution; at the beat it would be .06 higher.
+  EXPECT_NEAR(speed / std::sqrt(8 * temperature / std::numbers::pi), 1, 0.02);
+}
+
+TEST(Temperature, IsTheMeanOverTimeWhileSpheresFall) {
+  World world(Box::walls({10, 10, 10}), {0, 0, -1});
+  world.add({.position = {2, 3, 8}, .velocity = {1, 0.5, 0}, .radius = 0.5});
+  world.add({.position = {6, 5, 3}, .velocity = {-1, 0.2, 2}, .radius = 0.7, .mass = 3});
+  expect_mean_over_time(Simulation(world), 20, 20000, 1e-4);
+}
+
+TEST(Temperature, IsTheMeanOverTimeUnderShear) {
+  Box box = Box::periodic({10, 10, 10});
+  box.set_shear({.rate = 0.2});
+  World world(box);
+  world.add({.position = {2, 3, 8}, .velocity = {1, 0.5, 0}, .radius = 0.5});
+  world.add({.position = {6, 5, 3}, .velocity = {-1, 0.2, 2}, .radius = 0.7, .mass = 3});
+  expect_mean_over_time(Simulation(world), 30, 30000, 1e-4);
+}
+
+TEST(Temperature, LeavesOutKinematicSpheres) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({.position = {2, 2, 2}, .velocity = {1, 0, 0}, .radius = 0.5});
+  world.add({.position = {5, 5, 5},
+             .velocity = {0, 2, 0},
+             .radius = 0.5,
+             .mass = std::numeric_limits<double>::infinity()});
+  Temperature temperature({world, Time(0)});
+  temperature.sample({world, Time(0)});
+  const Measurement found = temperature.result({world, Time(0)});
+  EXPECT_NEAR(quantity(found, "temperature").value, 1.0 / 3, 1e-15);
+  EXPECT_NEAR(quantity(found, "temperature_along_x").value, 1, 1e-15);
+  EXPECT_NEAR(quantity(found, "temperature_along_y").value, 0, 1e-15);
 }
 
 }  // namespace

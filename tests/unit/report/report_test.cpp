@@ -345,8 +345,27 @@ TEST(Report, SaysWhatWasLeftOutAsATransient) {
   const std::string html = to_html(report);
   expect_in(html, "The first 12.5 of 100 are excluded from the means as a transient.");
   expect_in(html, "Means exclude initial transients, the longest up to 12.5 after measuring began.");
+}
+
+TEST(Report, SaysWhatHasNotSettled) {
+  Report report = sample_report();
   report.measurements.front().is_transient_over = false;
-  expect_in(to_html(report), "Still changing in the second half of the run");
+  report.measurements.front().unsettled = "it still changes";
+  report.measurements.front().quantities.front().reason = "it still changes";
+  const std::string html = to_html(report);
+  expect_in(verdict_of(report), "<strong>Not in equilibrium.</strong>");
+  expect_in(verdict_of(report),
+            "No standard errors for " + report.measurements.front().title + ": it still changes.");
+  expect_in(html, "The means depend on the length of the run and have no standard errors: it still changes.");
+}
+
+TEST(Report, SaysWhyANumberHasNoError) {
+  Report report = sample_report();
+  Quantity& first = report.measurements.front().quantities.front();
+  first.error = std::nan("");
+  first.reason = "the run is short";
+  expect_in(to_html(report), "No standard error for ");
+  expect_in(to_html(report), ": the run is short.");
 }
 
 TEST(Report, SaysThatARunIsNotSound) {

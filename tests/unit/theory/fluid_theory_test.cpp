@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 
 namespace hardball::fluid_theory_test {
 namespace {
@@ -116,6 +118,34 @@ TEST(FluidTheory, HoldsNeitherBetweenWallsNorInACrystal) {
     EXPECT_TRUE(std::isnan(theory.diffusion(1)));
     EXPECT_TRUE(std::isnan(theory.mean_speed(1)));
   }
+}
+
+TEST(FluidTheory, OfSpheresThatAllPassThroughEachOtherIsThatOfAnIdealGas) {
+  constexpr double kCount = 200;
+  for (const double packing_fraction : {0.2, 0.6}) {
+    const World fluid = dense_gas(200, packing_fraction, 1, Boundary::periodic);
+    const World gas = support::interacting(fluid, support::passing({{0, 0}}));
+    const FluidTheory theory = theory_of(gas);
+    EXPECT_TRUE(theory.is_ideal());
+    EXPECT_TRUE(theory.holds());
+    EXPECT_EQ(theory.compressibility(), 1);
+    EXPECT_NEAR(theory.contact_value(0, 0), 1 - 1 / kCount, 1e-12);
+    EXPECT_TRUE(std::isnan(theory.diffusion(1)));
+    EXPECT_TRUE(std::isnan(theory.enskog_diffusion(1)));
+    EXPECT_FALSE(theory_of(fluid).is_ideal());
+  }
+}
+
+TEST(FluidTheory, HoldsNotWhereSomePassAndWhereSomeAreKinematic) {
+  World some = dense_gas(200, 0.2, 1, Boundary::periodic);
+  some.add({.position = {1, 1, 1}, .radius = 0.5, .mass = 2, .species = 1});
+  EXPECT_FALSE(theory_of(support::interacting(some, support::passing({{0, 1}}))).holds());
+  EXPECT_FALSE(theory_of(support::interacting(some, support::passing({{0, 0}}))).holds());
+  EXPECT_TRUE(theory_of(support::interacting(some, support::passing({{0, 0}, {0, 1}, {1, 1}}))).is_ideal());
+  EXPECT_TRUE(theory_of(support::interacting(some, support::passing({{2, 3}}))).holds()) << "there are none";
+  World heavy = dense_gas(200, 0.2, 1, Boundary::periodic);
+  heavy.add({.position = {1, 1, 1}, .radius = 0.5, .mass = std::numeric_limits<double>::infinity()});
+  EXPECT_FALSE(theory_of(heavy).holds());
 }
 
 // A mixture of almost equal spheres is a fluid of equal ones, within the difference of the two equations.

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace hardball {
+
+/// How far a run has come from its start.
+struct Settled {
+  double end = 0;         ///< How long it depended on its start, since measuring began [T].
+  bool is_over = true;    ///< Whether that is at most half of the run. If not, means depend on its length.
+  std::string reason;     ///< Why it is not over, without a comma; empty if it is.
+  bool is_steady = true;  ///< Whether energy is conserved, or the temperature has settled.
+};
+
+inline constexpr const char* kStillCrystal =
+    "the spheres still have the order of the crystal in which they started";
+inline constexpr const char* kStillSpreading = "the spheres are still spreading evenly through the box";
+inline constexpr const char* kStillChanging = "it still changes in the second half of the run";
+inline constexpr const char* kNotSteady = "the temperature keeps changing and there is no steady state";
+inline constexpr const char* kLagChosen = "it is the lag at which the constant was read";
+/// Of spheres that all pass through each other.
+inline constexpr const char* kVelocitiesOfTheStart =
+    "the spheres pass through each other and keep the velocities of their start";
+
+}  // namespace hardball

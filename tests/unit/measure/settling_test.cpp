@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Whether runs that still depend on their start are told from those that do not, with all measures by
+// default.
+#include "hardball/measure/settling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "hardball/measure/measures.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
+#include "support/discs.hpp"
+#include "support/gas.hpp"
+#include "support/interacting.hpp"
+#include "support/measurement.hpp"
+
+namespace hardball::settling_test {
+namespace {
+
+using support::quantity;
+
+std::vector<Measurement> measured(Simulation simulation, double free_times) {
+  const double until = free_times * mean_free_time(Scene(simulation.world(), Time(0)).statistics());
+  Measures measures;
+  simulation.run_until(until, measures);
+  measures.sample_the_rest(simulation.world(), simulation.now());
+  return measures.results(simulation.world(), simulation.now());
+}
+
+const Measurement& named(const std::vector<Measurement>& all, const std::string& name) {
+  for (const Measurement& found : all) {
+    if (found.name == name) return found;
+  }
+  throw std::out_of_range(name);
+}
+
+// Every number has an error, or a reason why it has none or is left out; none that must be positive is not.
+void expect_qualified(const std::vector<Measurement>& all) {
+  for (const Measurement& found : all) {
+    for (const Quantity& each : found.quantities) {
+      EXPECT_EQ(std::isnan(each.error) || std::isnan(each.value), !each.reason.empty())
+          << each.name << ": " << each.value << " +- " << each.error << ", " << each.reason;
+      EXPECT_EQ(each.reason.find(','), std::string::npos) << each.reason;
+      for (const char* const positive :
+           {"contact_value", "mean_gap", "diffusion_constant", "compressibility"}) {
+        if (each.name.starts_with(positive)) EXPECT_FALSE(each.value < 0) << each.name;
+      }
+    }
+  }
+}
+
+void expect_unsettled(const std::vector<Measurement>& all, const std::string& reason) {
+  expect_qualified(all);
+  for (const Measurement& found : all) {
+    EXPECT_FALSE(found.is_transient_over) << found.name;
+    EXPECT_EQ(found.unsettled, reason) << found.name;
+    for (const Quantity& each : found.quantities) {
+      EXPECT_FALSE(each.error > 0) << each.name;
+      EXPECT_FALSE(std::isfinite(each.theory) && std::isfinite(each.tolerance) && each.error != 0)
+          << each.name;
+    }
+  }
+}
+
+// Its pressure and rate are off by a quarter, and the noise of a sixteenth of the run hides what is left of
+// that; the places of the spheres do not.
+TEST(Settling, TellsACrystalThatHasNotMelted) {
+  const World crystal =
+      support::make_gas({.count = 500, .packing_fraction = 0.49, .seed = 1, .start = support::Start::fcc});
+  expect_unsettled(measured(Simulation(crystal), 2), kStillCrystal);
+  expect_unsettled(measured(Simulation(crystal), 50), kStillCrystal);
+  expect_unsettled(measured(Simulation(support::make_discs(1058, 0.65, 1)), 30), kStillCrystal);
+}
+
+TEST(Settling, LeavesOutTheTimeInWhichACrystalMelts) {
+  const World crystal =
+      support::make_gas({.count = 500, .packing_fraction = 0.3, .seed = 1, .start = support::Start::fcc});
+  const std::vector<Measurement> all = measured(Simulation(crystal), 200);
+  expect_qualified(all);
+  const double free_time = mean_free_time(Scene(crystal, Time(0)).statistics());
+  for (const char* const name : {"pressure", "collision_rate", "radial_distribution", "bond_order"}) {
+    const Measurement& found = named(all, name);
+    EXPECT_TRUE(found.is_transient_over) << name;
+    EXPECT_GE(found.transient, 5 * free_time) << name;
+    EXPECT_LE(found.transient, 60 * free_time) << name;
+  }
+  const Quantity& z = quantity(named(all, "pressure"), "compressibility");
+  EXPECT_LT(std::fabs(z.value - z.theory), 4 * z.error);
+}
+
+// Beyond freezing a crystal is in equilibrium, though no sphere leaves its place.
+TEST(Settling, LetsACrystalBeThatIsStable) {
+  const World crystal =
+      support::make_gas({.count = 500, .packing_fraction = 0.6, .seed = 1, .start = support::Start::fcc});
+  const std::vector<Measurement> all = measured(Simulation(crystal), 200);
+  expect_qualified(all);
+  EXPECT_TRUE(named(all, "pressure").is_transient_over);
+  EXPECT_GT(quantity(named(all, "pressure"), "compressibility").error, 0);
+}
+
+TEST(Settling, IsOverAtOnceWhereTheStartHasNoOrder) {
+  for (const double packing_fraction : {0.02, 0.3}) {
+    const World gas = support::make_gas({.count = 500, .packing_fraction = packing_fraction, .seed = 2});
+    Settling settling(Scene(gas, Time(0)));
+    const Settled found = settling.found(Scene(gas, Time(0)));
+    EXPECT_TRUE(found.is_over);
+    EXPECT_EQ(found.end, 0);
+    expect_qualified(measured(Simulation(gas), 20));
+  }
+  // A fluid that was a crystal long ago.
+  const World fluid = support::settled(
+      support::make_gas({.count = 500, .packing_fraction = 0.4, .seed = 2, .start = support::Start::fcc}),
+      200);
+  EXPECT_TRUE(Settling(Scene(fluid, Time(0))).found(Scene(fluid, Time(0))).is_over);
+}
+
+// A gas set free in one half of the box.
+TEST(Settling, TellsAGasThatSpreads) {
+  const World half = support::make_gas({.count = 500, .packing_fraction = 0.1, .seed = 3});
+  const double edge = half.box().size().x;
+  World world(Box::periodic({4 * edge, edge, edge}));
+  for (const Path& path : half.paths()) {
+    world.add({.position = path.position, .velocity = path.velocity, .radius = 0.5});
+  }
+  expect_unsettled(measured(Simulation(world), 1), kStillSpreading);
+  const std::vector<Measurement> all = measured(Simulation(world), 300);
+  EXPECT_TRUE(named(all, "pressure").is_transient_over);
+  EXPECT_GT(named(all, "pressure").transient, 0);
+}
+
+TEST(Settling, TellsAGasThatCools) {
+  const World gas = support::make_gas({.count = 300, .packing_fraction = 0.1, .seed = 4});
+  const std::vector<Measurement> all = measured(Simulation(support::interacting(gas, Restitution(0.8))), 200);
+  expect_qualified(all);
+  for (const char* const name : {"mean_square_displacement", "velocity_autocorrelation"}) {
+    const Quantity& constant = quantity(named(all, name), "diffusion_constant");
+    EXPECT_TRUE(std::isnan(constant.value));
+    EXPECT_EQ(constant.reason, kNotSteady);
+  }
+  EXPECT_EQ(quantity(named(all, "pressure"), "pressure").reason, kNotSteady);
+  EXPECT_EQ(quantity(named(all, "velocity_distribution"), "mean_speed").reason, kNotSteady);
+  EXPECT_GT(quantity(named(all, "velocity_distribution"), "speed_kurtosis").error, 0)
+      << "in units of the speed";
+  EXPECT_FALSE(named(all, "temperature").is_transient_over);
+}
+
+TEST(Settling, LetsADrivenGasBeSteady) {
+  const World gas = support::make_gas({.count = 300, .packing_fraction = 0.1, .seed = 5});
+  Simulation driven(support::interacting(gas, Restitution(0.9)));
+  driven.set_thermostat(Thermostat(Rescale(1, 1)));
+  const std::vector<Measurement> all = measured(driven, 2000);
+  expect_qualified(all);
+  EXPECT_GT(quantity(named(all, "temperature"), "temperature").error, 0);
+  const Quantity& by_displacement = quantity(named(all, "mean_square_displacement"), "diffusion_constant");
+  const Quantity& by_velocity = quantity(named(all, "velocity_autocorrelation"), "diffusion_constant");
+  EXPECT_LT(std::fabs(by_displacement.value - by_velocity.value),
+            4 * std::hypot(by_displacement.error, by_velocity.error));
+}
+
+// Velocities stay those of the start, so that runs from other starts say more about errors than this one.
+TEST(Settling, LetsSpheresThatPassThroughEachOtherBeAnIdealGas) {
+  const World gas = support::interacting(
+      support::make_gas({.count = 500, .packing_fraction = 0.2, .seed = 6}), support::passing({{0, 0}}));
+  const std::vector<Measurement> all = measured(Simulation(gas), 30);
+  expect_qualified(all);
+  EXPECT_EQ(quantity(named(all, "pressure"), "compressibility").value, 1);
+  EXPECT_EQ(quantity(named(all, "pressure"), "compressibility").theory, 1);
+  EXPECT_TRUE(std::isnan(quantity(named(all, "nearest_neighbor"), "mean_gap").value));
+  EXPECT_TRUE(std::isnan(quantity(named(all, "velocity_autocorrelation"), "diffusion_constant").value));
+  EXPECT_FALSE(quantity(named(all, "collision_rate"), "collision_rate").error > 0);
+}
+
+TEST(Settling, GoesOnAfterBeingSaved) {
+  const World crystal =
+      support::make_gas({.count = 256, .packing_fraction = 0.3, .seed = 7, .start = support::Start::fcc});
+  Simulation simulation(crystal);
+  Measures measures;
+  simulation.run_until(2, measures);
+  Measures restored = Measures::load(measures.save());
+  Simulation copy = simulation;
+  simulation.run_until(8, measures);
+  copy.run_until(8, restored);
+  const std::vector<Measurement> all = measures.results(simulation.world(), simulation.now());
+  const std::vector<Measurement> again = restored.results(copy.world(), copy.now());
+  ASSERT_EQ(all.size(), again.size());
+  EXPECT_GT(named(all, "pressure").transient, 0);
+  EXPECT_EQ(named(all, "pressure").transient, named(again, "pressure").transient);
+}
+
+}  // namespace
+}  // namespace hardball::settling_test
