@@ -61,11 +61,33 @@ Estimate MomentLags::slope(std::size_t level) const {
   });
 }
 
+// The relative standard deviation that a slope has where increments are independent and normally distributed.
+// With two increments a and b of the lag, (a + b)^2 - (a^2 + b^2) / 2 has five times the variance of the mean
+// square, and half of that variance in common with the next.
+double MomentLags::relative_deviation(std::size_t level) const {
+  constexpr double kVariance = 5 + 2 * 0.5;
+  double sum = 0;
+  double squares = 0;
+  for (const double weight : weights_) {
+    sum += weight;
+    squares += weight * weight;
+  }
+  return std::sqrt(kVariance * lag(level) / elapsed_ * squares) / sum;
+}
+
 MomentLags::Plateau MomentLags::plateau(double least_lag, double wanted_lag) const {
   constexpr double kLeastLags = 16;
   constexpr double kByChance = 2;
+  constexpr double kCertain = 4;
   std::vector<Estimate> slopes;
-  for (std::size_t level = 0; level < levels_.size(); ++level) slopes.push_back(slope(level));
+  double largest = 0;
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    slopes.push_back(slope(level));
+    Estimate& here = slopes.back();
+    if (lag(level) >= least_lag) largest = std::fmax(largest, std::fabs(here.value));
+    // At long lags there are few squares, and where they are small by chance, so is their scatter.
+    here.error = std::max(here.error, largest * relative_deviation(level));
+  }
   const auto is_known = [&](std::size_t level) {
     return level < slopes.size() && !std::isnan(slopes[level].error);
   };
@@ -77,6 +99,9 @@ MomentLags::Plateau MomentLags::plateau(double least_lag, double wanted_lag) con
     return {next.value - here.value,
             std::sqrt(std::max(0.0, next.error * next.error - here.error * here.error))};
   };
+  const auto beyond = [](const Estimate& change) {
+    return std::sqrt(std::max(0.0, change.value * change.value - change.error * change.error));
+  };
   const auto agrees_with_next = [&](std::size_t level) {
     if (!is_known(level + 1)) return true;
     const Estimate change = change_after(level);
@@ -86,10 +111,13 @@ MomentLags::Plateau MomentLags::plateau(double least_lag, double wanted_lag) con
   for (std::size_t level = 1; is_known(level); ++level) {
     if (lag(level) < least_lag) continue;
     if (2 * lag(level) * kLeastLags > elapsed_) break;
-    // Where the next slope is not known, it will change by no more than the last has.
-    const Estimate change = change_after(is_known(level + 1) ? level : level - 1);
-    const double beyond_chance = std::max(0.0, change.value * change.value - change.error * change.error);
-    const double error = std::hypot(slopes[level].error, std::sqrt(beyond_chance));
+    // Where the next slope is not known, it will change by no more than the last has. A change that was too
+    // large to stop at an earlier lag may have been noise as well, unless it is very large.
+    const Estimate last = change_after(level - 1);
+    const bool is_doubtful = found.lag > 0 && std::fabs(last.value) <= kCertain * last.error;
+    double beyond_chance = is_known(level + 1) ? beyond(change_after(level)) : 0;
+    if (!is_known(level + 1) || is_doubtful) beyond_chance = std::max(beyond_chance, beyond(last));
+    const double error = std::hypot(slopes[level].error, beyond_chance);
     found = {{slopes[level].value, error}, lag(level), {}};
     if (lag(level) >= wanted_lag && agrees_with_next(level) && agrees_with_next(level + 1)) break;
   }

@@ -46,9 +46,10 @@ class MomentLags {
   double lag(std::size_t level) const;
   Estimate slope(std::size_t level) const;
   /// The slope at the first lag from which three agree within their errors, or the last that is known. The
-  /// error consists of that of the mean, and of the change to the next lag as far as that is more than
-  /// chance. Lags are no shorter than `wanted_lag` [T], or where the run is not 32 times as long, than
-  /// `least_lag` [T]. The run is at least 32 times as long as the lag.
+  /// error consists of that of the mean, which is at least that of independent normally distributed
+  /// increments, and of the change to the next lag, or from one that did not quite agree with it, as far as
+  /// that is more than chance. Lags are no shorter than `wanted_lag` [T], or where the run is not 32 times as
+  /// long, than `least_lag` [T]. The run is at least 32 times as long as the lag.
   Plateau plateau(double least_lag, double wanted_lag) const;
 
  private:
@@ -73,6 +74,7 @@ class MomentLags {
   };
 
   double square_of(std::span<const double> increment) const;
+  double relative_deviation(std::size_t level) const;
 
   double base_ = 1;
   std::vector<double> weights_;
