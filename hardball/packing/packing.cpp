@@ -28,7 +28,7 @@ double contact_tolerance(double pressure) {
 
 PackedSpheres spheres_of(const Packer& packer) {
   const Simulation& simulation = packer.simulation();
-  PackedSpheres spheres{packer.plan().container, simulation.positions(), {}};
+  PackedSpheres spheres{packer.plan().container, simulation.positions(), {}, packer.plan().labels};
   const World& world = simulation.world();
   spheres.radii.resize(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot)
@@ -36,16 +36,47 @@ PackedSpheres spheres_of(const Packer& packer) {
   return spheres;
 }
 
-// Makes all lengths of a packing so many times as large.
-void multiply(Packing& packing, double factor) {
-  PackedSpheres& spheres = packing.spheres;
+// Makes all lengths so many times as large.
+void multiply(PackedSpheres& spheres, double factor) {
   spheres.container = spheres.container.scaled(factor);
   for (Vec3& position : spheres.positions) position = factor * position;
   for (double& radius : spheres.radii) radius *= factor;
-  for (PackingContact& contact : packing.network.contacts) {
-    contact.gap *= factor;
-    contact.separation = factor * contact.separation;
+}
+
+// What numbers resolve everywhere along an axis of a box whose corner is not the origin: a power of two [L].
+double resolution(const PackedSpheres& spheres, std::size_t axis) {
+  const double low = spheres.labels.low[axis];
+  const double high = low + spheres.container.size[axis];
+  constexpr int kBits = 51;
+  return std::ldexp(1, std::ilogb(std::max(std::fabs(low), std::fabs(high))) - kBits);
+}
+
+// What files add to positions: the corner of the box, so far as it is resolved.
+Vec3 origin_of(const PackedSpheres& spheres) {
+  Vec3 origin;
+  for (std::size_t axis = 0; axis < spheres.container.dimensions; ++axis) {
+    const double low = spheres.labels.low[axis];
+    if (low == 0) continue;
+    const double unit = resolution(spheres, axis);
+    origin[axis] = unit * std::floor(low / unit);
   }
+  return origin;
+}
+
+// Makes positions such that nothing is rounded when the origin is added, and edges those that readers find.
+// Returns a factor for radii that makes up for the corner, where that is not resolved.
+double round_to_origin(PackedSpheres& spheres) {
+  Container& container = spheres.container;
+  double lost = 0;
+  for (std::size_t axis = 0; axis < container.dimensions; ++axis) {
+    const double low = spheres.labels.low[axis];
+    if (low == 0) continue;
+    const double unit = resolution(spheres, axis);
+    container.size[axis] = (low + container.size[axis]) - low;
+    for (Vec3& position : spheres.positions) position[axis] = unit * std::floor(position[axis] / unit);
+    if (!container.is_periodic(axis)) lost = std::max(lost, 2 * unit);
+  }
+  return 1 - lost / std::ranges::min(spheres.radii);
 }
 
 void round_to_singles(PackedSpheres& spheres) {
@@ -72,6 +103,27 @@ double rounded_down(double radius, Precision precision) {
   return static_cast<double>(diameter) / 2;
 }
 
+// By how many boxes each sphere has been moved since it was there.
+std::vector<Image> crossings(const Box& box, const std::vector<Vec3>& before,
+                             const std::vector<Vec3>& after) {
+  std::vector<Image> images(before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) images[i] = box.nearest_image(before[i] - after[i]);
+  return images;
+}
+
+// The forces of a network by contact, of spheres that have been moved by so many boxes.
+std::unordered_map<ContactKey, double> forces_of(const ContactNetwork& network,
+                                                 const std::vector<Image>& moved) {
+  std::unordered_map<ContactKey, double> forces;
+  for (const PackingContact& contact : network.contacts) {
+    if (std::isnan(contact.force)) continue;
+    ContactKey bodies = contact.bodies;
+    if (!bodies.is_wall) bodies.image = bodies.image + moved[bodies.second] - moved[bodies.first];
+    forces[bodies] = contact.force;
+  }
+  return forces;
+}
+
 // The factor for radii with which nothing overlaps: less than one, by a few units in the last place.
 double factor_without_overlap(const PackedSpheres& spheres) {
   constexpr double kUnits = 0x1p-50;
@@ -92,6 +144,14 @@ void shrink(PackedSpheres& spheres, double factor, Precision precision) {
   }
 }
 
+// Within which gaps spheres have touched before radii were reduced by this fraction. Positions that are
+// rounded to 32 bits take some gaps twice as far as they bring others together.
+double tolerance_after(double tolerance, double reduced, Precision precision) {
+  constexpr double kNegligible = 0.01;
+  if (reduced <= kNegligible * tolerance) return tolerance;
+  return (tolerance + (precision == Precision::singles ? 2 : 1) * reduced) / (1 - reduced);
+}
+
 // Whether spheres are not as large as wanted, where that is given besides the container.
 bool are_too_small(const Packer& packer, const PackedSpheres& spheres) {
   const bool is_given = packer.plan().follows == PackingPlan::Follows::count &&
@@ -109,11 +169,19 @@ Status status_of(const Packer& packer, const PackedSpheres& spheres) {
 std::string reason_of(const Packer& packer, const PackedSpheres& spheres) {
   const Packer::State state = packer.state();
   if (!packer.is_over()) return "packing was ended before it was finished";
-  if (are_too_small(packer, spheres)) return "no number of spheres was found that fills the container";
-  if (state == Packer::State::reached) return "the density wanted was reached";
+  const bool is_pressure = std::holds_alternative<PackingRequest::Pressure>(packer.plan().goal);
+  if (are_too_small(packer, spheres)) {
+    return is_pressure ? "spheres of this diameter have less than the pressure wanted, or one more jams"
+                       : "no number of spheres was found that fills the container";
+  }
+  if (state == Packer::State::reached)
+    return is_pressure ? "the pressure wanted was reached" : "the density wanted was reached";
   if (packer.has_no_room()) return "the largest sphere fills the container";
-  return state == Packer::State::jammed ? "the spheres have jammed"
-                                        : "the spheres locked before the density wanted was reached";
+  if (state == Packer::State::jammed) return "the spheres have jammed";
+  if (std::holds_alternative<PackingRequest::Densest>(packer.plan().goal))
+    return "the spheres still rearrange, and have not jammed";
+  return is_pressure ? "the pressure that was reached differs from that wanted"
+                     : "the spheres locked before the density wanted was reached";
 }
 
 }  // namespace
@@ -131,7 +199,8 @@ Packing packing_of(const Packer& packer) {
   packing.history = packer.history();
   packing.warnings = plan.warnings;
   constexpr double kSlower = 3;
-  if (packer.state() == Packer::State::locked && !packer.has_no_room())
+  if (packer.state() == Packer::State::locked && !packer.has_no_room() &&
+      std::holds_alternative<double>(plan.goal))
     packing.suggested_rate = packer.rate() / kSlower;
   const double tolerance = contact_tolerance(packing.pressure);
   if (tolerance > 0) packing.network = contact_network(spheres, tolerance, packer.impulses());
@@ -140,25 +209,44 @@ Packing packing_of(const Packer& packer) {
 }
 
 void fit_numbers(PackedSpheres& spheres, Precision precision, double factor) {
-  if (precision == Precision::singles) round_to_singles(spheres);
+  if (precision == Precision::singles) {
+    round_to_singles(spheres);
+    spheres.labels.low = {};  // such files have the center of the box as their origin
+  }
+  factor *= round_to_origin(spheres);
   shrink(spheres, factor * factor_without_overlap(spheres), precision);
 }
 
 void finish(Packing& packing, const PackingPlan& plan, Precision precision) {
   PackedSpheres& spheres = packing.spheres;
-  double factor = 1 - plan.gap;
-  if (plan.follows == PackingPlan::Follows::size) multiply(packing, plan.diameter / spheres.mean_diameter());
+  if (plan.follows == PackingPlan::Follows::size) multiply(spheres, plan.diameter / spheres.mean_diameter());
+  double factor = 1;
   if (plan.follows == PackingPlan::Follows::count)
-    factor *= std::min(1.0, plan.diameter / spheres.mean_diameter());
+    factor = std::min(1.0, plan.diameter / spheres.mean_diameter());
+  factor *= 1 - plan.gap;
   const double before = spheres.mean_diameter();
+  const std::vector<Vec3> positions = spheres.positions;
   fit_numbers(spheres, precision, factor);
   packing.shrink = spheres.mean_diameter() / before;
   packing.largest_overlap = spheres.largest_overlap();
+  packing.smallest_gap = spheres.smallest_gap();
+  if (packing.network.tolerance > 0) {
+    packing.network = contact_network(
+        spheres, tolerance_after(packing.network.tolerance, 1 - packing.shrink, precision),
+        forces_of(packing.network, crossings(spheres.container.box(), positions, spheres.positions)));
+  }
+  constexpr double kNoticed = 1e-3;
+  if (packing.status == Status::jammed && packing.shrink < 1 - kNoticed) {
+    packing.reason +=
+        "; their diameters are reduced to " + to_text(packing.shrink) + " of those at which they did";
+  }
 }
 
 Snapshot snapshot_of(const PackedSpheres& spheres) {
   Snapshot snapshot;
   SnapshotBox box;
+  const SphereLabels& labels = spheres.labels;
+  box.low = labels.low;
   box.size = spheres.container.size;
   box.is_flat = spheres.container.dimensions == 2;
   for (std::size_t axis = 0; axis < spheres.container.dimensions; ++axis)
@@ -170,9 +258,13 @@ Snapshot snapshot_of(const PackedSpheres& spheres) {
     box.size.z = thickness;
   }
   snapshot.box = box;
+  const Vec3 origin = origin_of(spheres);
   for (std::size_t i = 0; i < spheres.size(); ++i) {
-    snapshot.spheres.push_back({.position = spheres.positions[i], .radius = spheres.radii[i]});
-    snapshot.ids.push_back(static_cast<std::int64_t>(i));
+    snapshot.spheres.push_back({.position = origin + spheres.positions[i],
+                                .radius = spheres.radii[i],
+                                .mass = labels.masses.empty() ? 1 : labels.masses[i],
+                                .species = labels.species.empty() ? SpeciesId{0} : labels.species[i]});
+    snapshot.ids.push_back(labels.ids.empty() ? static_cast<std::int64_t>(i) : labels.ids[i]);
   }
   return snapshot;
 }
