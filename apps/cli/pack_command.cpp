@@ -11,6 +11,7 @@
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/packing_cost.hpp"
 #include "apps/cli/packing_summary.hpp"
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
@@ -167,7 +168,8 @@ ExitCode pack(const Options& options) {
     const PackingPlan made = plan(parse_request(options.packing, "--"));
     for (const std::string& warning : made.warnings) write_message("warning: " + warning);
     if (options.dry_run) {
-      write_output(options.json ? plan_json(made) : plan_table(made));
+      const double seconds = measured_seconds_per_collision(made);
+      write_output(options.json ? plan_json(made, seconds) : plan_table(made, seconds));
       return ExitCode::done;
     }
     check_polish(options, made);
@@ -176,6 +178,8 @@ ExitCode pack(const Options& options) {
   carry_out(options, *packer, begin);
   Packing packing = packing_of(*packer);
   if (packer->is_over()) polish_if_wanted(options, packing);
+  for (std::size_t k = packer->plan().warnings.size(); k < packing.warnings.size(); ++k)
+    write_message("warning: " + packing.warnings[k]);
   finish(packing, packer->plan(), precision_of(options));
   for (const std::string& out : options.outs) write(packing.spheres, out);
   write_pages(packing, options);
