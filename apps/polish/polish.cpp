@@ -156,14 +156,29 @@ Step solve(const PackedSpheres& spheres, double trust) {
   }
 }
 
-// Takes the motions of all spheres together that the container leaves free out of the moves: they change no
-// gap, and may be as long as the program allows.
-void stop_free_motions(const PackedSpheres& spheres, std::vector<Vec3>& moves) {
+// Whether each sphere bears force.
+std::vector<bool> bearing_spheres(const Step& step) {
+  std::vector<bool> bears(step.moves.size());
+  for (std::size_t k = 0; k < step.pairs.size(); ++k) {
+    if (!(step.forces[k] > 0)) continue;
+    const ContactKey& bodies = step.pairs[k].bodies;
+    bears[bodies.first] = true;
+    if (!bodies.is_wall) bears[bodies.second] = true;
+  }
+  return bears;
+}
+
+// Takes the motions that the container leaves free to all spheres that bear force together out of the moves:
+// they change no gap, and may be as long as the program allows.
+void stop_free_motions(const PackedSpheres& spheres, Step& step) {
   const Container& container = spheres.container;
-  const double share = 1 / static_cast<double>(spheres.size());
+  const std::vector<bool> bears = bearing_spheres(step);
+  std::vector<Vec3>& moves = step.moves;
   if (container.shape == Container::Shape::box) {
     Vec3 mean;
-    for (const Vec3& move : moves) mean += share * move;
+    const double share = 1 / std::max(1.0, static_cast<double>(std::ranges::count(bears, true)));
+    for (std::size_t i = 0; i < moves.size(); ++i)
+      if (bears[i]) mean += share * moves[i];
     for (std::size_t axis = 0; axis < kAxes; ++axis)
       if (!container.is_periodic(axis)) mean[axis] = 0;
     for (Vec3& move : moves) move = move - mean;
@@ -176,7 +191,8 @@ void stop_free_motions(const PackedSpheres& spheres, std::vector<Vec3>& moves) {
     const std::size_t last = (axis + 2) % kAxes;
     double turned = 0;
     double inertia = 0;
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      if (!bears[i]) continue;
       const Vec3 from = spheres.positions[i] - 0.5 * container.size;
       turned += from[next] * moves[i][last] - from[last] * moves[i][next];
       inertia += from[next] * from[next] + from[last] * from[last];
@@ -184,7 +200,7 @@ void stop_free_motions(const PackedSpheres& spheres, std::vector<Vec3>& moves) {
     if (!(inertia > 0)) continue;
     const double sine = std::sin(turned / inertia);
     const double versine = 1 - std::cos(turned / inertia);
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
+    for (std::size_t i = 0; i < moves.size(); ++i) {
       const Vec3 from = spheres.positions[i] - 0.5 * container.size + moves[i];
       moves[i][next] += sine * from[last] - versine * from[next];
       moves[i][last] -= sine * from[next] + versine * from[last];
@@ -214,13 +230,10 @@ double apply(const Step& step, PackedSpheres& spheres) {
 
 // The longest way of a sphere that bears force [L].
 double longest_move(const Step& step) {
+  const std::vector<bool> bears = bearing_spheres(step);
   double longest = 0;
-  for (std::size_t k = 0; k < step.pairs.size(); ++k) {
-    if (!(step.forces[k] > 0)) continue;
-    const NearPair& pair = step.pairs[k];
-    longest = std::max(longest, length(step.moves[pair.bodies.first]));
-    if (!pair.bodies.is_wall) longest = std::max(longest, length(step.moves[pair.bodies.second]));
-  }
+  for (std::size_t i = 0; i < bears.size(); ++i)
+    if (bears[i]) longest = std::max(longest, length(step.moves[i]));
   return longest;
 }
 
@@ -259,7 +272,7 @@ void polish(Packing& packing, const Function<void(int)>& on_round) {
   for (int round = 0; round < kMostRounds && trust > kFinest * diameter; ++round) {
     if (on_round) on_round(round);
     Step step = solve(spheres, trust);
-    stop_free_motions(spheres, step.moves);
+    stop_free_motions(spheres, step);
     PackedSpheres larger = spheres;
     constexpr double kRounding = 1e-15;
     if (apply(step, larger) < 1 - kRounding) {
@@ -272,7 +285,9 @@ void polish(Packing& packing, const Function<void(int)>& on_round) {
     // Where moves are as long as they may be, spheres are held by that alone.
     const double moved = longest_move(step);
     if (moved < trust && touch(forces, spheres, kTighter * kTouching)) {
-      packing.network = contact_network(spheres, kTouching, forces);
+      ContactNetwork network = contact_network(spheres, kTouching, forces);
+      if (network.backbone_contacts == 0) break;  // a chain that is held by its ends, and would buckle
+      packing.network = std::move(network);
       packing.spheres = std::move(spheres);
       packing.is_polished = true;
       return;

@@ -116,12 +116,42 @@ std::unordered_map<ContactKey, double> forces_of(const ContactNetwork& network,
                                                  const std::vector<Image>& moved) {
   std::unordered_map<ContactKey, double> forces;
   for (const PackingContact& contact : network.contacts) {
-    if (std::isnan(contact.force)) continue;
     ContactKey bodies = contact.bodies;
     if (!bodies.is_wall) bodies.image = bodies.image + moved[bodies.second] - moved[bodies.first];
     forces[bodies] = contact.force;
   }
   return forces;
+}
+
+// The widest gap between bodies that touched before their numbers changed, of those within a gap, and no less
+// than what counts as a contact anyway; over the sum of the radii [1].
+double widest_contact(const PackedSpheres& spheres, const std::unordered_map<ContactKey, double>& touched,
+                      double tolerance, double within) {
+  spheres.for_each_near(within, [&](const NearPair& pair) {
+    if (touched.contains(pair.bodies)) tolerance = std::max(tolerance, pair.gap / pair.reach);
+  });
+  return tolerance;
+}
+
+// The contacts of a packing whose positions were other ones, with its forces.
+ContactNetwork network_now(const Packing& packing, const std::vector<Vec3>& positions, Precision precision) {
+  const PackedSpheres& spheres = packing.spheres;
+  const ContactNetwork& before = packing.network;
+  const auto forces = forces_of(before, crossings(spheres.container.box(), positions, spheres.positions));
+  const double reduced = 1 - packing.shrink;
+  double within = (before.tolerance + reduced) / packing.shrink;
+  if (precision == Precision::singles) {
+    // Each position is rounded by no more than this along each axis.
+    const Vec3& size = spheres.container.size;
+    constexpr double kUnit = 0x1p-24;
+    within += 4 * kUnit * std::max({size.x, size.y, size.z}) / std::ranges::min(spheres.radii);
+  }
+  // More than the rounding of whoever computes gaps.
+  constexpr double kRounding = 1e-9;
+  double widest = widest_contact(spheres, forces, before.tolerance, within * (1 + kRounding));
+  if (widest > before.tolerance) widest *= 1 + kRounding;
+  const bool are_known = !before.contacts.empty() && !std::isnan(before.contacts.front().force);
+  return contact_network(spheres, widest, are_known ? forces : std::unordered_map<ContactKey, double>());
 }
 
 // The factor for radii with which nothing overlaps: less than one, by a few units in the last place.
@@ -142,14 +172,6 @@ void shrink(PackedSpheres& spheres, double factor, Precision precision) {
     HARDBALL_CHECK(round < kRounds);
     total *= factor_without_overlap(spheres);
   }
-}
-
-// Within which gaps spheres have touched before radii were reduced by this fraction. Positions that are
-// rounded to 32 bits take some gaps twice as far as they bring others together.
-double tolerance_after(double tolerance, double reduced, Precision precision) {
-  constexpr double kNegligible = 0.01;
-  if (reduced <= kNegligible * tolerance) return tolerance;
-  return (tolerance + (precision == Precision::singles ? 2 : 1) * reduced) / (1 - reduced);
 }
 
 // Whether spheres are not as large as wanted, where that is given besides the container.
@@ -230,11 +252,7 @@ void finish(Packing& packing, const PackingPlan& plan, Precision precision) {
   packing.shrink = spheres.mean_diameter() / before;
   packing.largest_overlap = spheres.largest_overlap();
   packing.smallest_gap = spheres.smallest_gap();
-  if (packing.network.tolerance > 0) {
-    packing.network = contact_network(
-        spheres, tolerance_after(packing.network.tolerance, 1 - packing.shrink, precision),
-        forces_of(packing.network, crossings(spheres.container.box(), positions, spheres.positions)));
-  }
+  if (packing.network.tolerance > 0) packing.network = network_now(packing, positions, precision);
   constexpr double kNoticed = 1e-3;
   if (packing.status == Status::jammed && packing.shrink < 1 - kNoticed) {
     packing.reason +=

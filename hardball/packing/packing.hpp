@@ -62,9 +62,8 @@ HARDBALL_EXPORT Packing packing_of(const Packer& packer);
 HARDBALL_EXPORT void fit_numbers(PackedSpheres& spheres, Precision precision, double factor = 1);
 
 /// Gives a packing the size that the plan wants, and reduces radii until nothing overlaps in numbers of this
-/// precision, and the gap of the plan is there. Contacts become those of the result: where radii are reduced
-/// by more than a hundredth of the distance within which spheres touch, that distance grows by as much.
-/// Cost: O(n).
+/// precision, and the gap of the plan is there. Contacts become those of the result: where what touched
+/// before has wider gaps than count as contacts, these do. Cost: O(n).
 HARDBALL_EXPORT void finish(Packing& packing, const PackingPlan& plan,
                             Precision precision = Precision::doubles);
 
