@@ -106,13 +106,17 @@ CLI::App* add_pack_command(CLI::App& app, Options& options) {
       ->type_name("CONTAINER");
   command->add_option("--phi", packing.phi, "Packing fraction, or max for as dense as spheres jam")
       ->type_name("max|FRACTION");
-  command->add_option("--pressure", packing.pressure, "Instead of --phi, PV/NkT of the median sphere, to a tenth")
+  command
+      ->add_option("--pressure", packing.pressure,
+                   "Instead of --phi, PV/NkT of the median sphere, to a tenth")
       ->type_name("Z");
   command
       ->add_option("--rate", packing.rate,
                    "Growth of the mean diameter over the thermal speed; chosen by the density if not given")
       ->type_name("RATE");
-  command->add_option("--gap", packing.gap, "Fraction by which diameters are reduced in the end, to those wanted")
+  command
+      ->add_option("--gap", packing.gap,
+                   "Fraction by which diameters are reduced in the end, to those wanted")
       ->type_name("FRACTION");
   command->add_option("--dimensions", packing.dimensions, "2 for discs")->type_name("2|3");
   command

@@ -133,10 +133,18 @@ void carry_out(const Options& options, Packer& packer, Clock::time_point begin) 
 
 void polish_if_wanted(const Options& options, Packing& packing) {
   if (!options.polish) return;
+  if (!(packing.network.tolerance > 0)) {
+    packing.warnings.emplace_back("the spheres have not jammed, and were not polished");
+    return;
+  }
 #if HARDBALL_POLISH
-  polish::polish(packing, [](int /*rounds*/) {
-    if (is_interrupted()) throw RunFailure("interrupted while the last gaps were removed");
-  });
+  try {
+    polish::polish(packing, [](int /*rounds*/) {
+      if (is_interrupted()) throw RunFailure("interrupted while the last gaps were removed");
+    });
+  } catch (const RunFailure& interruption) {
+    packing.warnings.emplace_back(interruption.what());
+  }
 #else
   static_cast<void>(packing);
 #endif
@@ -149,9 +157,11 @@ void check_polish(const Options& options, const PackingPlan& plan) {
   throw Error("this program was built without COIN-OR CLP", "--polish",
               "install coinor-libclp-dev and build it again");
 #endif
-  if (std::holds_alternative<double>(plan.goal))
+  const auto* pressure = std::get_if<PackingRequest::Pressure>(&plan.goal);
+  constexpr double kLeast = 1e3;
+  if (std::holds_alternative<double>(plan.goal) || (pressure && pressure->compressibility < kLeast))
     throw Error("only spheres that have jammed can be polished", "--polish",
-                "give --phi max or a high --pressure");
+                "give --phi max, or a --pressure of at least 1000");
 }
 
 }  // namespace

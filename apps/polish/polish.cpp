@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -46,9 +47,9 @@ struct Solution {
 };
 
 // Maximizes the growth of all sizes within these bounds while no sphere moves by more than `trust` along any
-// axis. In units of it numbers stay near one however small it is.
-Solution maximize_growth(const std::vector<Bound>& bounds, std::size_t spheres, int dimensions, double trust,
-                         double smallest) {
+// axis. In units of it numbers stay near one however small it is. Nothing if no solution is found.
+std::optional<Solution> maximize_growth(const std::vector<Bound>& bounds, std::size_t spheres, int dimensions,
+                                        double trust, double smallest) {
   const int growth = static_cast<int>(spheres) * dimensions;  // its column
   std::vector<int> rows;
   std::vector<int> columns;
@@ -92,10 +93,10 @@ Solution maximize_growth(const std::vector<Bound>& bounds, std::size_t spheres, 
   ClpSolve method;
   method.setSolveType(ClpSolve::usePrimalorSprint);
   model.initialSolve(method);
-  if (!model.isProvenOptimal()) throw RunFailure("the linear program for the last gaps has no solution");
+  if (!model.isProvenOptimal()) return {};
   const double* solution = model.primalColumnSolution();
   const double* duals = model.dualRowSolution();
-  return {{solution, solution + unknowns}, {duals, duals + least.size()}};
+  return Solution{{solution, solution + unknowns}, {duals, duals + least.size()}};
 }
 
 // Of spheres that a step would take out of a curved container, bounds by the plane that touches its wall
@@ -122,8 +123,9 @@ std::vector<Bound> bounds_of_walls_left(const PackedSpheres& spheres, const Step
 }
 
 // The step in which all sizes grow most while no sphere moves by more than `trust` along any axis. A distance
-// that is linearized is smaller than the distance, so that no two spheres overlap after it.
-Step solve(const PackedSpheres& spheres, double trust) {
+// that is linearized is smaller than the distance, so that no two spheres overlap after it. Nothing if no
+// such step is found.
+std::optional<Step> solve(const PackedSpheres& spheres, double trust) {
   const std::size_t dimensions = spheres.container.dimensions;
   const double smallest = *std::ranges::min_element(spheres.radii);
   std::vector<Bound> bounds;
@@ -134,19 +136,20 @@ Step solve(const PackedSpheres& spheres, double trust) {
   Step step;
   constexpr int kMostCuts = 12;
   for (int cuts = 0;; ++cuts) {
-    const Solution solution =
+    const std::optional<Solution> solution =
         maximize_growth(bounds, spheres.size(), static_cast<int>(dimensions), trust, smallest);
+    if (!solution) return {};
     step = {};
     step.moves.resize(spheres.size());
     for (std::size_t sphere = 0; sphere < spheres.size(); ++sphere)
       for (std::size_t axis = 0; axis < dimensions; ++axis)
-        step.moves[sphere][axis] = trust * solution.unknowns[sphere * dimensions + axis];
-    step.growth = trust / smallest * solution.unknowns.back();
+        step.moves[sphere][axis] = trust * solution->unknowns[sphere * dimensions + axis];
+    step.growth = trust / smallest * solution->unknowns.back();
     double strongest = 0;
-    for (const double dual : solution.duals) strongest = std::max(strongest, std::fabs(dual));
+    for (const double dual : solution->duals) strongest = std::max(strongest, std::fabs(dual));
     constexpr double kRounding = 1e-9;
     for (std::size_t row = 0; row < bounds.size(); ++row) {
-      const double force = std::fabs(solution.duals[row]);
+      const double force = std::fabs(solution->duals[row]);
       step.pairs.push_back(bounds[row].pair);
       step.forces.push_back(force > kRounding * strongest ? force : 0);
     }
@@ -256,7 +259,7 @@ bool touch(const std::unordered_map<ContactKey, double>& forces, const PackedSph
 }  // namespace
 
 void polish(Packing& packing, const Function<void(int)>& on_round) {
-  if (!(packing.network.tolerance > 0) || packing.network.backbone_contacts == 0) {
+  if (!(packing.network.tolerance > 0)) {
     throw Error("only spheres that have jammed can be polished", "polish",
                 "pack to the density max, or to a high pressure");
   }
@@ -271,19 +274,19 @@ void polish(Packing& packing, const Function<void(int)>& on_round) {
   double trust = kFirst * diameter;
   for (int round = 0; round < kMostRounds && trust > kFinest * diameter; ++round) {
     if (on_round) on_round(round);
-    Step step = solve(spheres, trust);
-    stop_free_motions(spheres, step);
+    std::optional<Step> step = solve(spheres, trust);
     PackedSpheres larger = spheres;
     constexpr double kRounding = 1e-15;
-    if (apply(step, larger) < 1 - kRounding) {
+    if (step) stop_free_motions(spheres, *step);
+    if (!step || apply(*step, larger) < 1 - kRounding) {
       constexpr double kShorter = 0.125;
       trust *= kShorter;
       continue;
     }
     spheres = std::move(larger);
-    const std::unordered_map<ContactKey, double> forces = forces_of(step);
+    const std::unordered_map<ContactKey, double> forces = forces_of(*step);
     // Where moves are as long as they may be, spheres are held by that alone.
-    const double moved = longest_move(step);
+    const double moved = longest_move(*step);
     if (moved < trust && touch(forces, spheres, kTighter * kTouching)) {
       ContactNetwork network = contact_network(spheres, kTouching, forces);
       if (network.backbone_contacts == 0) break;  // a chain that is held by its ends, and would buckle

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "hardball/errors/export.hpp"
-#include "hardball/interaction/species.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/packing/contact_key.hpp"
 #include "hardball/packing/container.hpp"
+#include "hardball/world/sphere.hpp"
 
 namespace hardball {
 

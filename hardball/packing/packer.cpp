@@ -51,6 +51,19 @@ std::vector<Vec3> place(const World& empty, const Container& container, std::vec
   }
 }
 
+// Velocities of a thermal speed of one. A drift would only make spheres seem hotter than they are.
+std::vector<Vec3> thermal_velocities(std::size_t count, const Container& container, Random& random) {
+  std::vector<Vec3> velocities(count);
+  Vec3 mean;
+  for (Vec3& velocity : velocities) {
+    velocity = random.normal_vector(container.dimensions);
+    mean += (1 / static_cast<double>(count)) * velocity;
+  }
+  if (container.wall_area() > 0) return velocities;
+  for (Vec3& velocity : velocities) velocity = velocity - mean;
+  return velocities;
+}
+
 World start_of(const PackingPlan& plan, const OnProgress& on_progress) {
   World world(plan.container.box(), {}, plan.container.surfaces());
   const std::size_t dimensions = plan.container.dimensions;
@@ -64,20 +77,10 @@ World start_of(const PackingPlan& plan, const OnProgress& on_progress) {
     for (double& radius : radii) radius *= root(shrink, dimensions);
     centers = place(world, plan.container, radii, random, Progress(on_progress));
   }
-  std::vector<Vec3> velocities(centers.size());
-  Vec3 mean;
-  for (Vec3& velocity : velocities) {
-    velocity = random.normal_vector(dimensions);
-    mean += (1 / static_cast<double>(centers.size())) * velocity;
-  }
-  // A drift would only make spheres seem hotter than they are.
-  const bool has_drift = plan.container.wall_area() == 0;
+  const std::vector<Vec3> velocities = thermal_velocities(centers.size(), plan.container, random);
   world.reserve(centers.size());
-  for (std::size_t i = 0; i < centers.size(); ++i) {
-    world.add({.position = centers[i],
-               .velocity = has_drift ? velocities[i] - mean : velocities[i],
-               .radius = radii[i]});
-  }
+  for (std::size_t i = 0; i < centers.size(); ++i)
+    world.add({.position = centers[i], .velocity = velocities[i], .radius = radii[i]});
   return world;
 }
 
@@ -259,14 +262,14 @@ bool Packer::run_at_constant_size(double collisions) {
   return contacts() - window_begin_ >= wanted || simulation_.time() >= patience_;
 }
 
-// Gives all spheres that are at rest in the mean the temperature of the start, whoever had the energy.
+// Gives all spheres new velocities, of the temperature at the start, whoever had the energy.
 void Packer::renew_velocities() {
   simulation_.stop_growing();
   Random random(plan_.seed + collisions());
+  const std::vector<Vec3> velocities = thermal_velocities(simulation_.size(), plan_.container, random);
   std::vector<VelocityEdit> edits;
   edits.reserve(simulation_.size());
-  for (SphereId id = 0; id < simulation_.size(); ++id)
-    edits.push_back({id, speed_ * random.normal_vector(plan_.container.dimensions)});
+  for (SphereId id = 0; id < simulation_.size(); ++id) edits.push_back({id, speed_ * velocities[id]});
   simulation_.change_velocities(edits);
 }
 
