@@ -97,7 +97,10 @@ class HARDBALL_EXPORT Packer {
     if (archive.version() >= kVersionOfBrackets)
       archive(self.mean_pressure_, self.step_, self.has_locked_, self.most_that_fit_, self.least_that_do_not_,
               self.is_count_final_, self.is_sized_, self.too_dilute_, self.too_dense_, self.before_step_);
-    if constexpr (kIsReading) self.simulation_ = Simulation::load(simulation, kWhereSaved);
+    if constexpr (kIsReading) {
+      self.simulation_ = Simulation::load(simulation, kWhereSaved);
+      if (self.before_step_.empty()) self.before_step_ = simulation;
+    }
   }
   bool restored() const;
   static constexpr const char* kWhereSaved = "the saved packing";
