@@ -376,9 +376,8 @@ void Packer::after_relaxation() {
   close_window(0);
   if (std::holds_alternative<Pressure>(plan_.goal)) {
     if (has_pressure_wanted()) return weigh(State::reached);
-  } else {
-    if (bearing_pressure() >= protocol::kJammed)
-      return std::holds_alternative<Densest>(plan_.goal) ? weigh(State::jammed) : end_attempt();
+  } else if (bearing_pressure() >= protocol::kJammed) {
+    return std::holds_alternative<Densest>(plan_.goal) ? weigh(State::jammed) : end_attempt();
   }
   step();
 }
@@ -468,6 +467,7 @@ void Packer::go_back_to(const std::string& saved) {
   simulation_ = Simulation::load(saved, kWhereSaved);
   simulation_.set_threads(threads);
   given_up_ -= contacts();
+  has_no_room_ = false;
 }
 
 // Spheres have locked before they were dense enough: from the fluid on, once more and at half the rate.
@@ -491,16 +491,20 @@ void Packer::give_up_attempt() {
 bool Packer::begins_with_another_count() {
   const bool follows =
       plan_.follows == PackingPlan::Follows::count && !std::holds_alternative<double>(plan_.goal);
-  if (!follows || is_count_final_) return false;
+  if (!follows || is_count_final_ || is_sized_) return false;
   const std::size_t dimensions = plan_.container.dimensions;
   const double left = std::max(0.0, 1 / pressure_ - 1 / wanted_pressure());
   const double ratio = mean_diameter() * (1 + left) / plan_.diameter;
   const std::size_t count = simulation_.size();
   const bool fits = ratio >= 1;
+  // What was expected of a packing on its way may turn out to be wrong in the end.
+  constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
   if (fits) {
     most_that_fit_ = std::max(most_that_fit_, count);
+    if (least_that_do_not_ <= count) least_that_do_not_ = kUnknown;
   } else {
     least_that_do_not_ = std::min(least_that_do_not_, count);
+    if (most_that_fit_ >= count) most_that_fit_ = 0;
   }
   const auto estimate = static_cast<std::size_t>(static_cast<double>(count) * power(ratio, dimensions));
   // Packings differ from one to the next.
@@ -513,7 +517,7 @@ bool Packer::begins_with_another_count() {
   const bool is_closest = fits ? count + 1 == least_that_do_not_ : count - 1 == most_that_fit_;
   if (is_good && (is_close || is_closest)) return false;
   const std::size_t best = is_pressure ? least_that_do_not_ : most_that_fit_;
-  const bool is_known = is_pressure ? best < std::numeric_limits<std::size_t>::max() : best > 0;
+  const bool is_known = is_pressure ? best < kUnknown : best > 0;
   const std::size_t fewest = most_that_fit_ + 1;
   const std::size_t most = least_that_do_not_ - 1;
   if (is_known && (recounts_ >= protocol::kRecounts || fewest > most)) {
@@ -522,6 +526,7 @@ bool Packer::begins_with_another_count() {
     begin_with(best);
     return true;
   }
+  if (fewest > most) return false;
   // Between those that fit and those that do not; farther and farther from the estimate until some are good.
   const std::size_t farther = is_good ? 0 : static_cast<std::size_t>(recounts_) * (1 + scatter);
   const std::size_t next = is_pressure ? estimate + 1 + farther : estimate - std::min(estimate, farther);
