@@ -106,18 +106,22 @@ CLI::App* add_pack_command(CLI::App& app, Options& options) {
       ->type_name("CONTAINER");
   command->add_option("--phi", packing.phi, "Packing fraction, or max for as dense as spheres jam")
       ->type_name("max|FRACTION");
-  command->add_option("--pressure", packing.pressure, "Instead of --phi, PV/NkT of the median sphere")
+  command
+      ->add_option("--pressure", packing.pressure,
+                   "Instead of --phi, PV/NkT of the median sphere, to a tenth")
       ->type_name("Z");
   command
       ->add_option("--rate", packing.rate,
                    "Growth of the mean diameter over the thermal speed; chosen by the density if not given")
       ->type_name("RATE");
-  command->add_option("--gap", packing.gap, "Fraction by which diameters are reduced in the end")
+  command
+      ->add_option("--gap", packing.gap,
+                   "Fraction by which diameters are reduced in the end, to those wanted")
       ->type_name("FRACTION");
   command->add_option("--dimensions", packing.dimensions, "2 for discs")->type_name("2|3");
   command
       ->add_option("--start", packing.start,
-                   "File with spheres that grow where they are; its extension selects the format")
+                   "File with spheres that grow where they are, and keep ids, types and masses")
       ->type_name("FILE");
   command->add_option("--seed", packing.seed, "Seed of the random numbers, 1 if not given")->type_name("N");
   command->add_option("--out", options.outs, "File for the spheres; its extension selects the format")

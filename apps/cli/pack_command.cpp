@@ -11,6 +11,7 @@
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/packing_cost.hpp"
 #include "apps/cli/packing_summary.hpp"
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
@@ -132,10 +133,18 @@ void carry_out(const Options& options, Packer& packer, Clock::time_point begin) 
 
 void polish_if_wanted(const Options& options, Packing& packing) {
   if (!options.polish) return;
+  if (!(packing.network.tolerance > 0)) {
+    packing.warnings.emplace_back("the spheres have not jammed, and were not polished");
+    return;
+  }
 #if HARDBALL_POLISH
-  polish::polish(packing, [](int /*rounds*/) {
-    if (is_interrupted()) throw RunFailure("interrupted while the last gaps were removed");
-  });
+  try {
+    polish::polish(packing, [](int /*rounds*/) {
+      if (is_interrupted()) throw RunFailure("interrupted while the last gaps were removed");
+    });
+  } catch (const RunFailure& interruption) {
+    packing.warnings.emplace_back(interruption.what());
+  }
 #else
   static_cast<void>(packing);
 #endif
@@ -148,9 +157,11 @@ void check_polish(const Options& options, const PackingPlan& plan) {
   throw Error("this program was built without COIN-OR CLP", "--polish",
               "install coinor-libclp-dev and build it again");
 #endif
-  if (std::holds_alternative<double>(plan.goal))
+  const auto* pressure = std::get_if<PackingRequest::Pressure>(&plan.goal);
+  constexpr double kLeast = 1e3;
+  if (std::holds_alternative<double>(plan.goal) || (pressure && pressure->compressibility < kLeast))
     throw Error("only spheres that have jammed can be polished", "--polish",
-                "give --phi max or a high --pressure");
+                "give --phi max, or a --pressure of at least 1000");
 }
 
 }  // namespace
@@ -167,7 +178,8 @@ ExitCode pack(const Options& options) {
     const PackingPlan made = plan(parse_request(options.packing, "--"));
     for (const std::string& warning : made.warnings) write_message("warning: " + warning);
     if (options.dry_run) {
-      write_output(options.json ? plan_json(made) : plan_table(made));
+      const double seconds = measured_seconds_per_collision(made);
+      write_output(options.json ? plan_json(made, seconds) : plan_table(made, seconds));
       return ExitCode::done;
     }
     check_polish(options, made);
@@ -176,6 +188,8 @@ ExitCode pack(const Options& options) {
   carry_out(options, *packer, begin);
   Packing packing = packing_of(*packer);
   if (packer->is_over()) polish_if_wanted(options, packing);
+  for (std::size_t k = packer->plan().warnings.size(); k < packing.warnings.size(); ++k)
+    write_message("warning: " + packing.warnings[k]);
   finish(packing, packer->plan(), precision_of(options));
   for (const std::string& out : options.outs) write(packing.spheres, out);
   write_pages(packing, options);

@@ -16,9 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// On a processor of 2023, give or take a factor of two.
-constexpr double kSecondsPerCollision = 6e-7;
-
 std::string container_text(const Container& container) {
   using enum Container::Shape;
   const Vec3& size = container.size;
@@ -62,13 +59,14 @@ std::string PackingSummary::table() const {
   if (std::isfinite(packing.pressure)) add("pressure PV/NkT", fmt::format("{:.4g}", packing.pressure));
   const ContactNetwork& network = packing.network;
   if (network.tolerance > 0) {
-    add("contacts", fmt::format("{}, {} without rattlers (gaps up to {:.2g} diameters)",
-                                network.contacts.size(), network.backbone_contacts, network.tolerance));
+    add("contacts", fmt::format("{}, {} without rattlers (gaps up to {} diameters)", network.contacts.size(),
+                                network.backbone_contacts, to_text(network.tolerance)));
     add("rattlers", to_text(network.rattlers));
     if (std::isfinite(network.isostaticity)) add("isostaticity", fmt::format("{:.4f}", network.isostaticity));
   }
   add("crystalline", fmt::format("{:.2f}%", 100 * packing.crystalline));
   add("largest overlap", to_text(packing.largest_overlap));
+  add("smallest gap", fmt::format("{:.3g} diameters", packing.smallest_gap));
   add("shrink", fmt::format("1 - {:.3g}", 1 - packing.shrink));
   add("growth rate", to_text(packing.rate));
   add("collisions", to_text(packing.collisions));
@@ -97,6 +95,7 @@ std::string PackingSummary::json() const {
                   {"isostaticity", number_or_null(network.isostaticity)},
                   {"rattlers", has_contacts ? Json(network.rattlers) : Json()},
                   {"largest_overlap", packing.largest_overlap},
+                  {"smallest_gap", packing.smallest_gap},
                   {"shrink", packing.shrink},
                   {"crystalline", packing.crystalline},
                   {"polished", packing.is_polished},
@@ -107,29 +106,29 @@ std::string PackingSummary::json() const {
   return summary.dump(2) + "\n";
 }
 
-std::string plan_table(const PackingPlan& plan) {
+std::string plan_table(const PackingPlan& plan, double seconds_per_collision) {
   const double collisions = plan.expected_collisions() * static_cast<double>(plan.radii.size());
   const double* fraction = std::get_if<double>(&plan.goal);
   std::string text = table_line("spheres", to_text(plan.radii.size()));
   text += table_line("container", container_text(plan.container));
-  text += table_line("packing fraction",
-                     fmt::format("{}{:.6g}", fraction ? "" : "some ", plan.expected_fraction()));
+  text +=
+      table_line("packing fraction", fmt::format("{}{:.6g}", fraction ? "" : "some ", plan.final_fraction()));
   text += table_line("plausible fraction", fmt::format("{:.3f}", plan.plausible));
   text += table_line("growth rate", to_text(plan.rate));
   text += table_line("collisions", fmt::format("some {:.2g}", collisions));
-  text += table_line("seconds", fmt::format("some {:.2g}", collisions * kSecondsPerCollision));
+  text += table_line("seconds", fmt::format("some {:.2g}", collisions * seconds_per_collision));
   return text;
 }
 
-std::string plan_json(const PackingPlan& plan) {
+std::string plan_json(const PackingPlan& plan, double seconds_per_collision) {
   const double collisions = plan.expected_collisions() * static_cast<double>(plan.radii.size());
   const Json summary = {{"count", plan.radii.size()},
                         {"container", container_json(plan.container)},
-                        {"phi", plan.expected_fraction()},
+                        {"phi", plan.final_fraction()},
                         {"plausible_phi", plan.plausible},
                         {"rate", plan.rate},
                         {"collisions", collisions},
-                        {"seconds", collisions * kSecondsPerCollision},
+                        {"seconds", collisions * seconds_per_collision},
                         {"warnings", plan.warnings}};
   return summary.dump(2) + "\n";
 }

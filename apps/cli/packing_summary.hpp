@@ -22,8 +22,8 @@ struct PackingSummary {
   std::string json() const;
 };
 
-/// What `hardball pack --dry-run` tells of a plan.
-std::string plan_table(const PackingPlan& plan);
-std::string plan_json(const PackingPlan& plan);
+/// What `hardball pack --dry-run` tells of a plan of which a collision takes so many seconds [T].
+std::string plan_table(const PackingPlan& plan, double seconds_per_collision);
+std::string plan_json(const PackingPlan& plan, double seconds_per_collision);
 
 }  // namespace hardball::cli

@@ -43,10 +43,11 @@ std::string summary(const Packing& packing) {
     add("contacts without those of rattlers", count_text(network.backbone_contacts));
     add("over the isostatic number", typeset(number_text(network.isostaticity, 6)));
     add("rattlers", count_text(network.rattlers));
-    add("gaps that count as contacts, in diameters", typeset(number_text(network.tolerance, 3)));
+    add("gaps that count as contacts, in diameters", typeset(number_text(network.tolerance, 9)));
   }
   add("spheres in crystals", typeset(number_text(100 * packing.crystalline, 3)) + "%");
   add("largest overlap", typeset(number_text(packing.largest_overlap, 3)));
+  add("smallest gap, in diameters", typeset(number_text(packing.smallest_gap, 3)));
   add("diameters reduced by", typeset(number_text(1 - packing.shrink, 3)));
   add("growth rate", typeset(number_text(packing.rate, 4)));
   add("collisions", count_text(packing.collisions));

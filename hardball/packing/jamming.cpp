@@ -7,28 +7,51 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <queue>
 #include <vector>
 
 namespace hardball {
+namespace {
+
+// Lengths that a line cuts out of spheres: it meets each as often as its cross section is large, and the
+// square of the length over the diameter is uniform. Evenly spread, not random.
+std::vector<double> chords(std::span<const double> radii) {
+  constexpr std::size_t kChords = 1 << 14;
+  constexpr double kGolden = 0.6180339887498949;
+  std::vector<double> sorted(radii.begin(), radii.end());
+  std::ranges::sort(sorted);
+  double all = 0;
+  for (const double radius : sorted) all += radius * radius;
+  std::vector<double> lengths(kChords);
+  std::size_t sphere = 0;
+  double met = sorted.front() * sorted.front();
+  for (std::size_t k = 0; k < kChords; ++k) {
+    const double share = (static_cast<double>(k) + 0.5) / kChords;
+    while (met < share * all && sphere + 1 < sorted.size()) {
+      ++sphere;
+      met += sorted[sphere] * sorted[sphere];
+    }
+    const double turns = static_cast<double>(k + 1) * kGolden;
+    lengths[k] = 2 * sorted[sphere] * std::sqrt(turns - std::floor(turns));
+  }
+  return lengths;
+}
+
+}  // namespace
 
 SizeStatistics statistics_of(std::span<const double> radii, std::size_t dimensions) {
   const auto count = static_cast<double>(radii.size());
   SizeStatistics sizes;
   for (const double radius : radii) sizes.mean += radius / count;
   double square = 0;
-  double cube = 0;
   double volume = 0;
   for (const double radius : radii) {
     const double from_mean = radius / sizes.mean - 1;
     square += from_mean * from_mean / count;
-    cube += from_mean * from_mean * from_mean / count;
     volume += power(radius, dimensions);
   }
   sizes.mean_volume = volume / count;
   sizes.deviation = std::sqrt(square);
-  // Less is rounding.
-  constexpr double kEqual = 1e-9;
-  sizes.skewness = sizes.deviation > kEqual ? cube / (square * sizes.deviation) : 0;
   std::vector<double> sorted(radii.begin(), radii.end());
   std::ranges::sort(sorted, std::greater());
   sizes.largest = sorted.front();
@@ -38,20 +61,38 @@ SizeStatistics statistics_of(std::span<const double> radii, std::size_t dimensio
   return sizes;
 }
 
-double plausible_packing_fraction(const SizeStatistics& sizes, const Container& container) {
+double jamming_in_bulk(std::span<const double> radii, std::size_t dimensions) {
   constexpr double kSpheres = 0.644;
   constexpr double kDiscs = 0.843;
-  // The most that small spheres add in the holes between large ones.
-  constexpr double kDensest = 0.85;
-  double bulk = kDiscs;
-  if (container.dimensions == 3) {
-    bulk = std::min(kDensest, kSpheres + 0.0658 * sizes.deviation +
-                                  0.0857 * sizes.skewness * sizes.deviation * sizes.deviation);
+  if (dimensions == 2) return kDiscs;
+  const auto [smallest, largest] = std::ranges::minmax(radii);
+  constexpr double kEqual = 1e-9;
+  if (largest - smallest <= kEqual * largest) return kSpheres;
+  std::vector<double> rods = chords(radii);
+  std::ranges::sort(rods, std::greater());
+  // The gap beside a rod over its length, with which equal spheres are as dense as they jam.
+  constexpr double kGap = 0.7638;
+  std::priority_queue<double> gaps;
+  gaps.push(kGap * rods.front());
+  double filled = 0;
+  for (const double rod : rods) {
+    filled += rod;
+    if (&rod == &rods.front()) continue;
+    const double widest = gaps.top();
+    gaps.pop();
+    gaps.push(kGap * rod);
+    gaps.push(std::max(kGap * rod, widest - (1 + kGap) * rod));
   }
+  double empty = 0;
+  for (; !gaps.empty(); gaps.pop()) empty += gaps.top();
+  return filled / (filled + empty);
+}
+
+double plausible_packing_fraction(double in_bulk, const SizeStatistics& sizes, const Container& container) {
   // The volume next to walls that stays empty, as the thickness of a layer in diameters.
   constexpr double kEmptyLayer = 0.14;
   const double empty = kEmptyLayer * 2 * sizes.mean * container.wall_area() / container.volume();
-  return bulk * std::max(0.1, 1 - empty);
+  return in_bulk * std::max(0.1, 1 - empty);
 }
 
 double rate_for(double packing_fraction, double plausible) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -139,6 +140,16 @@ double PackedSpheres::largest_overlap() const {
   double deepest = 0;
   for_each_near(0, [&](const NearPair& pair) { deepest = std::max(deepest, -pair.gap / pair.reach); });
   return deepest;
+}
+
+double PackedSpheres::smallest_gap() const {
+  constexpr double kFirst = 1e-3;
+  constexpr double kWider = 8;
+  for (double within = kFirst;; within *= kWider) {
+    double least = std::numeric_limits<double>::infinity();
+    for_each_near(within, [&](const NearPair& pair) { least = std::min(least, pair.gap / pair.reach); });
+    if (std::isfinite(least)) return least;
+  }
 }
 
 }  // namespace hardball

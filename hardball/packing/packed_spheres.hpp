@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/packing/contact_key.hpp"
 #include "hardball/packing/container.hpp"
+#include "hardball/world/sphere.hpp"
 
 namespace hardball {
 
@@ -20,11 +22,23 @@ struct NearPair {
   double gap = 0;    ///< Between their surfaces, to 2^-100 of the reach; negative if they overlap [L].
 };
 
+/// What files tell of spheres besides their positions and sizes, as it was in the file that they come from.
+struct SphereLabels {
+  std::vector<std::int64_t> ids;   ///< None if they are 0, 1, 2 and so on.
+  std::vector<SpeciesId> species;  ///< None if all are of species 0.
+  std::vector<double> masses;      ///< None if all are 1 [M].
+  Vec3 low = {};                   ///< The corner of the box with the least coordinates [L].
+
+  friend bool operator==(const SphereLabels&, const SphereLabels&) = default;
+  static void persist(auto& archive, auto& self) { archive(self.ids, self.species, self.masses, self.low); }
+};
+
 /// Spheres at rest in a container.
 struct HARDBALL_EXPORT PackedSpheres {
   Container container;
   std::vector<Vec3> positions;  ///< Centers, within the box of the container [L].
   std::vector<double> radii;    ///< [L]
+  SphereLabels labels = {};
 
   std::size_t size() const { return radii.size(); }
   double mean_diameter() const;
@@ -35,6 +49,9 @@ struct HARDBALL_EXPORT PackedSpheres {
   void for_each_near(double gap, const Function<void(const NearPair&)>& visit) const;
   /// The deepest overlap, over the sum of the radii, or the radius at a wall [1]; zero if nothing overlaps.
   double largest_overlap() const;
+  /// The smallest gap between two bodies, over the sum of the radii, or the radius at a wall [1]; negative if
+  /// they overlap. Precondition: the container has walls or periods. Cost: O(n).
+  double smallest_gap() const;
 };
 
 }  // namespace hardball

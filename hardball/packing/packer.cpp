@@ -8,6 +8,8 @@
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/numbers/exact_sum.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/packing/jamming.hpp"
 #include "hardball/packing/protocol.hpp"
 #include "hardball/placement/placement.hpp"
@@ -49,6 +51,19 @@ std::vector<Vec3> place(const World& empty, const Container& container, std::vec
   }
 }
 
+// Velocities of a thermal speed of one. A drift would only make spheres seem hotter than they are.
+std::vector<Vec3> thermal_velocities(std::size_t count, const Container& container, Random& random) {
+  std::vector<Vec3> velocities(count);
+  Vec3 mean;
+  for (Vec3& velocity : velocities) {
+    velocity = random.normal_vector(container.dimensions);
+    mean += (1 / static_cast<double>(count)) * velocity;
+  }
+  if (container.wall_area() > 0) return velocities;
+  for (Vec3& velocity : velocities) velocity = velocity - mean;
+  return velocities;
+}
+
 World start_of(const PackingPlan& plan, const OnProgress& on_progress) {
   World world(plan.container.box(), {}, plan.container.surfaces());
   const std::size_t dimensions = plan.container.dimensions;
@@ -62,20 +77,10 @@ World start_of(const PackingPlan& plan, const OnProgress& on_progress) {
     for (double& radius : radii) radius *= root(shrink, dimensions);
     centers = place(world, plan.container, radii, random, Progress(on_progress));
   }
-  std::vector<Vec3> velocities(centers.size());
-  Vec3 mean;
-  for (Vec3& velocity : velocities) {
-    velocity = random.normal_vector(dimensions);
-    mean += (1 / static_cast<double>(centers.size())) * velocity;
-  }
-  // A drift would only make spheres seem hotter than they are.
-  const bool has_drift = plan.container.wall_area() == 0;
+  const std::vector<Vec3> velocities = thermal_velocities(centers.size(), plan.container, random);
   world.reserve(centers.size());
-  for (std::size_t i = 0; i < centers.size(); ++i) {
-    world.add({.position = centers[i],
-               .velocity = has_drift ? velocities[i] - mean : velocities[i],
-               .radius = radii[i]});
-  }
+  for (std::size_t i = 0; i < centers.size(); ++i)
+    world.add({.position = centers[i], .velocity = velocities[i], .radius = radii[i]});
   return world;
 }
 
@@ -112,6 +117,9 @@ void Packer::begin() {
   state_ = State::filling;
   pressure_ = std::numeric_limits<double>::quiet_NaN();
   steps_ = 0;
+  step_ = 1;
+  has_locked_ = false;
+  forget_bracket();
   speed_ = thermal_speed(simulation_.world(), simulation_.now());
   virial_.assign(simulation_.size(), 0.0);
   open_window();
@@ -121,6 +129,13 @@ void Packer::begin() {
   } else {
     begin_growing();
   }
+}
+
+double Packer::mean_diameter() const {
+  const World& world = simulation_.world();
+  ExactSum sum;
+  for (Slot slot = 0; slot < world.size(); ++slot) sum += 2 * world.radius(slot, simulation_.now());
+  return sum.value() / static_cast<double>(world.size());
 }
 
 double Packer::packing_fraction() const {
@@ -162,9 +177,32 @@ double Packer::wanted_pressure() const {
                                                      : std::numeric_limits<double>::infinity();
 }
 
+// Whether a pressure is wanted that is not far above the last one.
+bool Packer::is_next_to_pressure() const {
+  constexpr double kNear = 2;
+  return std::holds_alternative<Pressure>(plan_.goal) && kNear * pressure_ > wanted_pressure();
+}
+
+// Whether the last pressure is as high as the goal says, and no higher than is meant by that.
+bool Packer::has_pressure_wanted() const {
+  const double wanted = wanted_pressure();
+  return pressure_ >= wanted && pressure_ <= protocol::kHighest * wanted;
+}
+
 double Packer::end_fraction() const {
   const double* fraction = std::get_if<double>(&plan_.goal);
   return fraction ? *fraction : std::numeric_limits<double>::infinity();
+}
+
+// Whether the packing fraction planned has been reached, or spheres have jammed next to it.
+bool Packer::is_at_end() const {
+  return packing_fraction() >= (1 - protocol::kExact) * end_fraction();
+}
+
+// Whether spheres at this pressure may jam only there: free volume vanishes as one over the pressure.
+bool Packer::is_near_end() const {
+  const double room = 2 * static_cast<double>(plan_.container.dimensions) / pressure_;
+  return packing_fraction() * (1 + room) >= end_fraction();
 }
 
 void Packer::open_window() {
@@ -183,6 +221,7 @@ void Packer::close_window(double rate) {
     mean += pressure / static_cast<double>(pressures.size());
   }
   pressure_ = typical(std::move(pressures), mean, plan_.container);
+  mean_pressure_ = mean;
   history_.push_back({collisions(), packing_fraction(), pressure_, rate});
   open_window();
 }
@@ -223,9 +262,21 @@ bool Packer::run_at_constant_size(double collisions) {
   return contacts() - window_begin_ >= wanted || simulation_.time() >= patience_;
 }
 
+// Gives all spheres new velocities, of the temperature at the start, whoever had the energy.
+void Packer::renew_velocities() {
+  simulation_.stop_growing();
+  Random random(plan_.seed + collisions());
+  const std::vector<Vec3> velocities = thermal_velocities(simulation_.size(), plan_.container, random);
+  std::vector<VelocityEdit> edits;
+  edits.reserve(simulation_.size());
+  for (SphereId id = 0; id < simulation_.size(); ++id) edits.push_back({id, speed_ * velocities[id]});
+  simulation_.change_velocities(edits);
+}
+
 void Packer::relax() {
   simulation_.stop_growing();
-  halve_speeds();
+  // Shrinking cools those that touch, and not rattlers, with which they hardly exchange energy.
+  is_next_to_pressure() ? renew_velocities() : halve_speeds();
   state_ = State::relaxing;
   be_patient();
   open_window();
@@ -236,7 +287,8 @@ void Packer::weigh(State end) {
   halve_speeds();
   end_ = end;
   state_ = State::weighing;
-  if (end_ != State::reached) weighed_at_ = simulation_.positions();
+  if (end_ != State::reached || std::holds_alternative<Pressure>(plan_.goal))
+    weighed_at_ = simulation_.positions();
   be_patient();
   open_window();
 }
@@ -253,14 +305,14 @@ void Packer::advance() {
   HARDBALL_CHECK(!is_over());
   simulation_.on_contact([this](const Contact& contact) { note(contact); });
   if (state_ == State::relaxing) {
-    if (run_at_constant_size(protocol::kRelaxation + protocol::kWindow)) after_relaxation();
+    // Next to the pressure wanted what has just changed must not count.
+    if (run_at_constant_size(is_next_to_pressure() ? protocol::kWeighing
+                                                   : protocol::kRelaxation + protocol::kWindow))
+      after_relaxation();
     return;
   }
   if (state_ == State::weighing) {
-    const bool is_long = end_ != State::reached;
-    if (!run_at_constant_size(is_long ? protocol::kWeighing : protocol::kWindow)) return;
-    close_window(0);
-    if (!begins_with_another_count()) state_ = end_;
+    if (run_at_constant_size(weighed_at_.empty() ? protocol::kWindow : protocol::kWeighing)) after_weighing();
     return;
   }
   const GrowthSchedule& growth = *simulation_.growth();
@@ -275,36 +327,147 @@ void Packer::after_epoch() {
   const GrowthSchedule& growth = *simulation_.growth();
   has_no_room_ = growth.state() == GrowthSchedule::State::no_room;
   if (state_ == State::stepping) {
-    if (growth.is_over()) growth.state() == GrowthSchedule::State::reached ? relax() : weigh(State::jammed);
+    if (growth.is_over()) after_step();
     return;
   }
   const bool is_seen =
       contacts() - window_begin_ >= static_cast<std::uint64_t>(contacts_for(protocol::kWindow / 2));
   if (is_seen) close_window(growth.rules().rate);
-  if (growth.state() == GrowthSchedule::State::reached) return weigh(State::reached);
   const bool is_fraction = std::holds_alternative<double>(plan_.goal);
-  if (growth.state() == GrowthSchedule::State::no_room)
-    return weigh(is_fraction ? State::locked : State::jammed);
-  if (growth.is_over()) return is_fraction ? give_up_attempt() : weigh(State::jammed);
+  const bool is_densest = std::holds_alternative<Densest>(plan_.goal);
+  if (growth.state() == GrowthSchedule::State::reached) return weigh(State::reached);
+  if (growth.state() == GrowthSchedule::State::no_room && is_densest) return weigh(State::jammed);
+  if (growth.is_over()) {
+    if (is_fraction) return end_attempt();
+    renew_velocities();
+    return relax();
+  }
   if (!is_seen) return;
   constexpr double kFew = 100;  // the mean is that of a few
   if (is_fraction && (pressure_ > protocol::kLocked || growth.compressibility() > kFew * protocol::kLocked))
-    return give_up_attempt();
-  if (pressure_ >= wanted_pressure()) {
-    return weigh(std::holds_alternative<Densest>(plan_.goal) ? State::jammed : State::reached);
-  }
+    return is_near_end() ? relax() : give_up_attempt();
+  if (pressure_ >= wanted_pressure()) return is_densest ? weigh(State::jammed) : relax();
   if (state_ == State::filling && pressure_ > protocol::kFilled) return begin_growing();
   if (!is_fraction && pressure_ > protocol::kRelaxedFrom && !begins_with_another_count()) relax();
 }
 
+// After growth between relaxations. Where spheres lock within it, they go back, and on by shorter steps.
+void Packer::after_step() {
+  const GrowthSchedule::State end = simulation_.growth()->state();
+  const bool is_fraction = std::holds_alternative<double>(plan_.goal);
+  if (is_sized_) return weigh(end == GrowthSchedule::State::reached ? State::reached : State::locked);
+  if (is_fraction && is_at_end()) return weigh(State::reached);
+  if (end == GrowthSchedule::State::no_room && !std::holds_alternative<Pressure>(plan_.goal))
+    return is_fraction ? end_attempt() : weigh(State::jammed);
+  constexpr double kShorter = 0.5;
+  constexpr double kLonger = 1.1;
+  if (end == GrowthSchedule::State::reached) {
+    step_ = std::min(1.0, kLonger * step_);
+  } else {
+    step_ *= kShorter;
+    has_locked_ = true;
+    too_dense_ = std::min(too_dense_, packing_fraction());
+    go_back_to(before_step_);
+  }
+  relax();
+}
+
 void Packer::after_relaxation() {
   close_window(0);
-  const bool is_densest = std::holds_alternative<Densest>(plan_.goal);
-  if (pressure_ >= wanted_pressure()) return weigh(is_densest ? State::jammed : State::reached);
-  if (++steps_ > kMostSteps) return weigh(State::jammed);
+  if (std::holds_alternative<Pressure>(plan_.goal)) {
+    if (has_pressure_wanted()) return weigh(State::reached);
+  } else if (bearing_pressure() >= protocol::kJammed) {
+    return std::holds_alternative<Densest>(plan_.goal) ? weigh(State::jammed) : end_attempt();
+  }
+  step();
+}
+
+// Growth, or where the pressure is too high the reverse, by as much as the pressure allows.
+void Packer::step() {
+  if (++steps_ > kMostSteps) return weigh(State::locked);
   state_ = State::stepping;
-  const double step = 1 + protocol::kStep / pressure_;
-  grow(rate_, packing_fraction() * power(step, plan_.container.dimensions));
+  const double present = packing_fraction();
+  const bool is_pressure = std::holds_alternative<Pressure>(plan_.goal);
+  const double change = step_ * (is_pressure ? change_to_pressure() : protocol::kStep / bearing_pressure());
+  double next = std::min(present * power(1 + change, plan_.container.dimensions), end_fraction());
+  if (is_pressure) {
+    // Between packing fractions of too low and of too high a pressure, until they have come so near to each
+    // other that spheres must have rearranged.
+    (pressure_ < wanted_pressure() ? too_dilute_ : too_dense_) = present;
+    constexpr double kResolved = 0.01;
+    const double between = too_dense_ - too_dilute_;
+    if (too_dilute_ > 0 && std::isfinite(too_dense_)) {
+      if (between > kResolved * present / pressure_) {
+        next = too_dilute_ + between / 2;
+      } else {
+        forget_bracket();
+      }
+    }
+  }
+  before_step_ = simulation_.save();
+  grow(next > present ? rate_ : -rate_, next);
+}
+
+// That of the spheres that bear: where growth has failed, they may be fewer than half, and theirs is the
+// mean.
+double Packer::bearing_pressure() const {
+  return has_locked_ ? std::max(pressure_, mean_pressure_) : pressure_;
+}
+
+// By which fraction sizes are to change for the pressure wanted.
+double Packer::change_to_pressure() const {
+  // The logarithm of the excess pressure grows by the dimensions with that of the sizes in a gas, and by
+  // itself where spheres nearly touch.
+  constexpr double kLeast = 1e-6;
+  const double excess = std::max(kLeast, pressure_ - 1);
+  const double sought = protocol::kSought * wanted_pressure() - 1;
+  const double slope = std::max(static_cast<double>(plan_.container.dimensions), excess);
+  const double most = protocol::kStep / bearing_pressure();
+  return std::clamp(portable_log(sought / excess) / slope, -most, most);
+}
+
+void Packer::forget_bracket() {
+  too_dilute_ = 0;
+  too_dense_ = std::numeric_limits<double>::infinity();
+}
+
+void Packer::after_weighing() {
+  close_window(0);
+  if (begins_with_another_count()) return;
+  const bool is_pressure = std::holds_alternative<Pressure>(plan_.goal) && end_ == State::reached;
+  if (is_pressure && is_sized_) {
+    state_ = pressure_ >= wanted_pressure() ? State::reached : State::locked;
+    return;
+  }
+  if (is_pressure && (!has_pressure_wanted() || plan_.follows == PackingPlan::Follows::count)) {
+    weighed_at_.clear();
+    impulses_.clear();
+    return has_pressure_wanted() ? take_diameter() : step();
+  }
+  state_ = end_;
+}
+
+// Gives spheres whose count follows from diameter and pressure this diameter: the pressure is then as near as
+// a whole number of spheres allows.
+void Packer::take_diameter() {
+  is_sized_ = true;
+  state_ = State::stepping;
+  const double ratio = plan_.diameter / mean_diameter();
+  grow(ratio > 1 ? rate_ : -rate_, packing_fraction() * power(ratio, plan_.container.dimensions));
+}
+
+// Spheres have jammed before they were as dense as planned, or where they are so.
+void Packer::end_attempt() {
+  is_at_end() ? weigh(State::reached) : give_up_attempt();
+}
+
+void Packer::go_back_to(const std::string& saved) {
+  given_up_ += contacts();
+  const std::size_t threads = simulation_.options().threads;
+  simulation_ = Simulation::load(saved, kWhereSaved);
+  simulation_.set_threads(threads);
+  given_up_ -= contacts();
+  has_no_room_ = false;
 }
 
 // Spheres have locked before they were dense enough: from the fluid on, once more and at half the rate.
@@ -314,45 +477,72 @@ void Packer::give_up_attempt() {
   ++attempts_;
   rate_ /= 2;
   state_ = State::growing;
-  given_up_ += contacts();
-  const std::size_t threads = simulation_.options().threads;
-  simulation_ = Simulation::load(filled_, kWhereSaved);
-  simulation_.set_threads(threads);
-  given_up_ -= contacts();
+  go_back_to(filled_);
   pressure_ = std::numeric_limits<double>::quiet_NaN();
+  step_ = 1;
+  has_locked_ = false;
   open_window();
   grow(rate_, end_fraction());
 }
 
-// Where the count follows from the diameter, it is known only from a packing. If another one fills the
-// container better, packing begins anew; returns whether that is so. Free volume vanishes as one over the
-// pressure.
+// Where the count follows from the diameter, it is known only from packings: each says whether so many
+// spheres fit, and how many would. Returns whether packing begins anew with another number. Free volume
+// vanishes as one over the pressure.
 bool Packer::begins_with_another_count() {
   const bool follows =
       plan_.follows == PackingPlan::Follows::count && !std::holds_alternative<double>(plan_.goal);
-  if (!follows || recounts_ == protocol::kRecounts) return false;
+  if (!follows || is_count_final_ || is_sized_) return false;
   const std::size_t dimensions = plan_.container.dimensions;
   const double left = std::max(0.0, 1 / pressure_ - 1 / wanted_pressure());
-  const World& world = simulation_.world();
-  double diameter = 0;
-  for (Slot slot = 0; slot < world.size(); ++slot)
-    diameter += 2 * world.radius(slot, simulation_.now()) / static_cast<double>(world.size());
-  const double ratio = diameter * (1 + left) / plan_.diameter;
-  const auto count = static_cast<double>(world.size());
-  const double fits = std::floor(count * power(ratio, dimensions));
+  const double ratio = mean_diameter() * (1 + left) / plan_.diameter;
+  const std::size_t count = simulation_.size();
+  const bool fits = ratio >= 1;
+  // What was expected of a packing on its way may turn out to be wrong in the end.
+  constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
+  if (fits) {
+    most_that_fit_ = std::max(most_that_fit_, count);
+    if (least_that_do_not_ <= count) least_that_do_not_ = kUnknown;
+  } else {
+    least_that_do_not_ = std::min(least_that_do_not_, count);
+    if (most_that_fit_ >= count) most_that_fit_ = 0;
+  }
+  const auto estimate = static_cast<std::size_t>(static_cast<double>(count) * power(ratio, dimensions));
   // Packings differ from one to the next.
   constexpr double kScatter = 0.002;
-  if (fits >= count && fits <= count + std::max(1.0, kScatter * count)) return false;
-  const double next = fits < count ? fits - recounts_ : fits;
+  const auto scatter = static_cast<std::size_t>(kScatter * static_cast<double>(count));
+  // A pressure is that of the fewest spheres that are too many for a lower one.
+  const bool is_pressure = std::holds_alternative<Pressure>(plan_.goal);
+  const bool is_good = is_pressure != fits;
+  const bool is_close = fits ? estimate <= count + scatter : estimate + 1 + scatter >= count;
+  const bool is_closest = fits ? count + 1 == least_that_do_not_ : count - 1 == most_that_fit_;
+  if (is_good && (is_close || is_closest)) return false;
+  const std::size_t best = is_pressure ? least_that_do_not_ : most_that_fit_;
+  const bool is_known = is_pressure ? best < kUnknown : best > 0;
+  const std::size_t fewest = most_that_fit_ + 1;
+  const std::size_t most = least_that_do_not_ - 1;
+  if (is_known && (recounts_ >= protocol::kRecounts || fewest > most)) {
+    is_count_final_ = true;
+    if (best == count) return false;
+    begin_with(best);
+    return true;
+  }
+  if (fewest > most) return false;
+  // Between those that fit and those that do not; farther and farther from the estimate until some are good.
+  const std::size_t farther = is_good ? 0 : static_cast<std::size_t>(recounts_) * (1 + scatter);
+  const std::size_t next = is_pressure ? estimate + 1 + farther : estimate - std::min(estimate, farther);
+  begin_with(std::clamp(next, fewest, most));
+  return true;
+}
+
+void Packer::begin_with(std::size_t count) {
   ++recounts_;
   given_up_ += contacts();
   const EngineOptions options{.threads = simulation_.options().threads};
-  plan_ = with_count(plan_, static_cast<std::size_t>(std::max(1.0, next)));
+  plan_ = with_count(plan_, count);
   simulation_ = Simulation(start_of(plan_, {}), options);
   weighed_at_.clear();
   impulses_.clear();
   begin();
-  return true;
 }
 
 std::unordered_map<ContactKey, double> Packer::impulses() const {

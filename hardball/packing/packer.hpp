@@ -45,7 +45,7 @@ class HARDBALL_EXPORT Packer {
     weighing,  ///< At constant size, for the last pressure and the forces.
     reached,   ///< As dense as planned.
     jammed,    ///< As dense as they get.
-    locked,    ///< Jammed before they were as dense as planned.
+    locked,    ///< They could not be made as dense as planned.
   };
 
   /// Places the spheres. Error: they cannot be placed; they overlap at the start.
@@ -94,10 +94,17 @@ class HARDBALL_EXPORT Packer {
             self.given_up_, self.filled_, self.speed_, self.pressure_, self.virial_, self.energy_integral_,
             self.window_begin_, self.patience_, self.has_no_room_, self.steps_, self.weighed_at_,
             self.impulses_, self.history_);
-    if constexpr (kIsReading) self.simulation_ = Simulation::load(simulation, kWhereSaved);
+    if (archive.version() >= kVersionOfBrackets)
+      archive(self.mean_pressure_, self.step_, self.has_locked_, self.most_that_fit_, self.least_that_do_not_,
+              self.is_count_final_, self.is_sized_, self.too_dilute_, self.too_dense_, self.before_step_);
+    if constexpr (kIsReading) {
+      self.simulation_ = Simulation::load(simulation, kWhereSaved);
+      if (self.before_step_.empty()) self.before_step_ = simulation;
+    }
   }
   bool restored() const;
   static constexpr const char* kWhereSaved = "the saved packing";
+  static constexpr std::uint32_t kVersionOfBrackets = 9;  // of archives
 
   void note(const Contact& contact);
   std::uint64_t contacts() const { return simulation_.counters().contacts(); }
@@ -112,14 +119,30 @@ class HARDBALL_EXPORT Packer {
   void halve_speeds();
   void be_patient();
   void relax();
+  void step();
+  void take_diameter();
+  double bearing_pressure() const;
+  double change_to_pressure() const;
+  void forget_bracket();
+  void renew_velocities();
+  void go_back_to(const std::string& saved);
   void weigh(State end);
   void after_epoch();
+  void after_step();
   void after_relaxation();
+  void after_weighing();
+  void end_attempt();
   void give_up_attempt();
   void begin();
   bool begins_with_another_count();
+  void begin_with(std::size_t count);
+  double mean_diameter() const;
   double wanted_pressure() const;
+  bool is_next_to_pressure() const;
+  bool has_pressure_wanted() const;
   double end_fraction() const;
+  bool is_at_end() const;
+  bool is_near_end() const;
 
   PackingPlan plan_;
   Simulation simulation_;
@@ -137,7 +160,18 @@ class HARDBALL_EXPORT Packer {
   std::uint64_t window_begin_ = 0;  // in contacts of the simulation
   double patience_ = 0;             // when a window at constant size ends at the latest [T]
   bool has_no_room_ = false;
-  int steps_ = 0;                 // of growth between relaxations
+  int steps_ = 0;                  // of growth between relaxations
+  double mean_pressure_ = 0;       // of all spheres in the last window
+  double step_ = 1;                // over the longest, since growth failed in one
+  bool has_locked_ = false;        // in such a step
+  std::string before_step_;        // the simulation before the last one
+  std::size_t most_that_fit_ = 0;  // of the counts tried
+  std::size_t least_that_do_not_ = std::numeric_limits<std::size_t>::max();
+  bool is_count_final_ = false;
+  bool is_sized_ = false;  // spheres have the diameter planned
+  // The last packing fractions at which the pressure was too low and too high; none if zero and infinite.
+  double too_dilute_ = 0;
+  double too_dense_ = std::numeric_limits<double>::infinity();
   std::vector<Vec3> weighed_at_;  // centers when weighing began, to which the images of impulses refer [L]
   std::unordered_map<ContactKey, double> impulses_;
   std::vector<PackingMoment> history_;

@@ -28,7 +28,7 @@ double contact_tolerance(double pressure) {
 
 PackedSpheres spheres_of(const Packer& packer) {
   const Simulation& simulation = packer.simulation();
-  PackedSpheres spheres{packer.plan().container, simulation.positions(), {}};
+  PackedSpheres spheres{packer.plan().container, simulation.positions(), {}, packer.plan().labels};
   const World& world = simulation.world();
   spheres.radii.resize(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot)
@@ -36,16 +36,47 @@ PackedSpheres spheres_of(const Packer& packer) {
   return spheres;
 }
 
-// Makes all lengths of a packing so many times as large.
-void multiply(Packing& packing, double factor) {
-  PackedSpheres& spheres = packing.spheres;
+// Makes all lengths so many times as large.
+void multiply(PackedSpheres& spheres, double factor) {
   spheres.container = spheres.container.scaled(factor);
   for (Vec3& position : spheres.positions) position = factor * position;
   for (double& radius : spheres.radii) radius *= factor;
-  for (PackingContact& contact : packing.network.contacts) {
-    contact.gap *= factor;
-    contact.separation = factor * contact.separation;
+}
+
+// What numbers resolve everywhere along an axis of a box whose corner is not the origin: a power of two [L].
+double resolution(const PackedSpheres& spheres, std::size_t axis) {
+  const double low = spheres.labels.low[axis];
+  const double high = low + spheres.container.size[axis];
+  constexpr int kBits = 51;
+  return std::ldexp(1, std::ilogb(std::max(std::fabs(low), std::fabs(high))) - kBits);
+}
+
+// What files add to positions: the corner of the box, so far as it is resolved.
+Vec3 origin_of(const PackedSpheres& spheres) {
+  Vec3 origin;
+  for (std::size_t axis = 0; axis < spheres.container.dimensions; ++axis) {
+    const double low = spheres.labels.low[axis];
+    if (low == 0) continue;
+    const double unit = resolution(spheres, axis);
+    origin[axis] = unit * std::floor(low / unit);
   }
+  return origin;
+}
+
+// Makes positions such that nothing is rounded when the origin is added, and edges those that readers find.
+// Returns a factor for radii that makes up for the corner, where that is not resolved.
+double round_to_origin(PackedSpheres& spheres) {
+  Container& container = spheres.container;
+  double lost = 0;
+  for (std::size_t axis = 0; axis < container.dimensions; ++axis) {
+    const double low = spheres.labels.low[axis];
+    if (low == 0) continue;
+    const double unit = resolution(spheres, axis);
+    container.size[axis] = (low + container.size[axis]) - low;
+    for (Vec3& position : spheres.positions) position[axis] = unit * std::floor(position[axis] / unit);
+    if (!container.is_periodic(axis)) lost = std::max(lost, 2 * unit);
+  }
+  return 1 - lost / std::ranges::min(spheres.radii);
 }
 
 void round_to_singles(PackedSpheres& spheres) {
@@ -70,6 +101,57 @@ double rounded_down(double radius, Precision precision) {
   auto diameter = static_cast<float>(2 * radius);
   if (static_cast<double>(diameter) > 2 * radius) diameter = std::nextafter(diameter, 0.0F);
   return static_cast<double>(diameter) / 2;
+}
+
+// By how many boxes each sphere has been moved since it was there.
+std::vector<Image> crossings(const Box& box, const std::vector<Vec3>& before,
+                             const std::vector<Vec3>& after) {
+  std::vector<Image> images(before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) images[i] = box.nearest_image(before[i] - after[i]);
+  return images;
+}
+
+// The forces of a network by contact, of spheres that have been moved by so many boxes.
+std::unordered_map<ContactKey, double> forces_of(const ContactNetwork& network,
+                                                 const std::vector<Image>& moved) {
+  std::unordered_map<ContactKey, double> forces;
+  for (const PackingContact& contact : network.contacts) {
+    ContactKey bodies = contact.bodies;
+    if (!bodies.is_wall) bodies.image = bodies.image + moved[bodies.second] - moved[bodies.first];
+    forces[bodies] = contact.force;
+  }
+  return forces;
+}
+
+// The widest gap between bodies that touched before their numbers changed, of those within a gap, and no less
+// than what counts as a contact anyway; over the sum of the radii [1].
+double widest_contact(const PackedSpheres& spheres, const std::unordered_map<ContactKey, double>& touched,
+                      double tolerance, double within) {
+  spheres.for_each_near(within, [&](const NearPair& pair) {
+    if (touched.contains(pair.bodies)) tolerance = std::max(tolerance, pair.gap / pair.reach);
+  });
+  return tolerance;
+}
+
+// The contacts of a packing whose positions were other ones, with its forces.
+ContactNetwork network_now(const Packing& packing, const std::vector<Vec3>& positions, Precision precision) {
+  const PackedSpheres& spheres = packing.spheres;
+  const ContactNetwork& before = packing.network;
+  const auto forces = forces_of(before, crossings(spheres.container.box(), positions, spheres.positions));
+  const double reduced = 1 - packing.shrink;
+  double within = (before.tolerance + reduced) / packing.shrink;
+  if (precision == Precision::singles) {
+    // Each position is rounded by no more than this along each axis.
+    const Vec3& size = spheres.container.size;
+    constexpr double kUnit = 0x1p-24;
+    within += 4 * kUnit * std::max({size.x, size.y, size.z}) / std::ranges::min(spheres.radii);
+  }
+  // More than the rounding of whoever computes gaps.
+  constexpr double kRounding = 1e-9;
+  double widest = widest_contact(spheres, forces, before.tolerance, within * (1 + kRounding));
+  if (widest > before.tolerance) widest *= 1 + kRounding;
+  const bool are_known = !before.contacts.empty() && !std::isnan(before.contacts.front().force);
+  return contact_network(spheres, widest, are_known ? forces : std::unordered_map<ContactKey, double>());
 }
 
 // The factor for radii with which nothing overlaps: less than one, by a few units in the last place.
@@ -109,11 +191,19 @@ Status status_of(const Packer& packer, const PackedSpheres& spheres) {
 std::string reason_of(const Packer& packer, const PackedSpheres& spheres) {
   const Packer::State state = packer.state();
   if (!packer.is_over()) return "packing was ended before it was finished";
-  if (are_too_small(packer, spheres)) return "no number of spheres was found that fills the container";
-  if (state == Packer::State::reached) return "the density wanted was reached";
+  const bool is_pressure = std::holds_alternative<PackingRequest::Pressure>(packer.plan().goal);
+  if (are_too_small(packer, spheres)) {
+    return is_pressure ? "spheres of this diameter have less than the pressure wanted, or one more jams"
+                       : "no number of spheres was found that fills the container";
+  }
+  if (state == Packer::State::reached)
+    return is_pressure ? "the pressure wanted was reached" : "the density wanted was reached";
   if (packer.has_no_room()) return "the largest sphere fills the container";
-  return state == Packer::State::jammed ? "the spheres have jammed"
-                                        : "the spheres locked before the density wanted was reached";
+  if (state == Packer::State::jammed) return "the spheres have jammed";
+  if (std::holds_alternative<PackingRequest::Densest>(packer.plan().goal))
+    return "the spheres still rearrange, and have not jammed";
+  return is_pressure ? "the pressure that was reached differs from that wanted"
+                     : "the spheres locked before the density wanted was reached";
 }
 
 }  // namespace
@@ -131,7 +221,8 @@ Packing packing_of(const Packer& packer) {
   packing.history = packer.history();
   packing.warnings = plan.warnings;
   constexpr double kSlower = 3;
-  if (packer.state() == Packer::State::locked && !packer.has_no_room())
+  if (packer.state() == Packer::State::locked && !packer.has_no_room() &&
+      std::holds_alternative<double>(plan.goal))
     packing.suggested_rate = packer.rate() / kSlower;
   const double tolerance = contact_tolerance(packing.pressure);
   if (tolerance > 0) packing.network = contact_network(spheres, tolerance, packer.impulses());
@@ -140,25 +231,40 @@ Packing packing_of(const Packer& packer) {
 }
 
 void fit_numbers(PackedSpheres& spheres, Precision precision, double factor) {
-  if (precision == Precision::singles) round_to_singles(spheres);
+  if (precision == Precision::singles) {
+    round_to_singles(spheres);
+    spheres.labels.low = {};  // such files have the center of the box as their origin
+  }
+  factor *= round_to_origin(spheres);
   shrink(spheres, factor * factor_without_overlap(spheres), precision);
 }
 
 void finish(Packing& packing, const PackingPlan& plan, Precision precision) {
   PackedSpheres& spheres = packing.spheres;
-  double factor = 1 - plan.gap;
-  if (plan.follows == PackingPlan::Follows::size) multiply(packing, plan.diameter / spheres.mean_diameter());
+  if (plan.follows == PackingPlan::Follows::size) multiply(spheres, plan.diameter / spheres.mean_diameter());
+  double factor = 1;
   if (plan.follows == PackingPlan::Follows::count)
-    factor *= std::min(1.0, plan.diameter / spheres.mean_diameter());
+    factor = std::min(1.0, plan.diameter / spheres.mean_diameter());
+  factor *= 1 - plan.gap;
   const double before = spheres.mean_diameter();
+  const std::vector<Vec3> positions = spheres.positions;
   fit_numbers(spheres, precision, factor);
   packing.shrink = spheres.mean_diameter() / before;
   packing.largest_overlap = spheres.largest_overlap();
+  packing.smallest_gap = spheres.smallest_gap();
+  if (packing.network.tolerance > 0) packing.network = network_now(packing, positions, precision);
+  constexpr double kNoticed = 1e-3;
+  if (packing.status == Status::jammed && packing.shrink < 1 - kNoticed) {
+    packing.reason +=
+        "; their diameters are reduced to " + to_text(packing.shrink) + " of those at which they did";
+  }
 }
 
 Snapshot snapshot_of(const PackedSpheres& spheres) {
   Snapshot snapshot;
   SnapshotBox box;
+  const SphereLabels& labels = spheres.labels;
+  box.low = labels.low;
   box.size = spheres.container.size;
   box.is_flat = spheres.container.dimensions == 2;
   for (std::size_t axis = 0; axis < spheres.container.dimensions; ++axis)
@@ -170,9 +276,13 @@ Snapshot snapshot_of(const PackedSpheres& spheres) {
     box.size.z = thickness;
   }
   snapshot.box = box;
+  const Vec3 origin = origin_of(spheres);
   for (std::size_t i = 0; i < spheres.size(); ++i) {
-    snapshot.spheres.push_back({.position = spheres.positions[i], .radius = spheres.radii[i]});
-    snapshot.ids.push_back(static_cast<std::int64_t>(i));
+    snapshot.spheres.push_back({.position = origin + spheres.positions[i],
+                                .radius = spheres.radii[i],
+                                .mass = labels.masses.empty() ? 1 : labels.masses[i],
+                                .species = labels.species.empty() ? SpeciesId{0} : labels.species[i]});
+    snapshot.ids.push_back(labels.ids.empty() ? static_cast<std::int64_t>(i) : labels.ids[i]);
   }
   return snapshot;
 }

@@ -33,11 +33,12 @@ struct HARDBALL_EXPORT Packing {
   /// whatever gap or diameter was wanted is there [1].
   double shrink = 1;
   double largest_overlap = 0;  ///< In the numbers as they are written, over the sum of the radii [1].
+  double smallest_gap = 0;     ///< Between two bodies, likewise [1].
   double pressure =
-      std::numeric_limits<double>::quiet_NaN();  ///< PV/NkT of the median sphere at the end [1].
+      std::numeric_limits<double>::quiet_NaN();  ///< PV/NkT of the median sphere before `shrink` [1].
   double rate = 0;                               ///< The last one, as in GrowthRules.
   std::uint64_t collisions = 0;
-  ContactNetwork network;    ///< Before radii were reduced.
+  ContactNetwork network;    ///< Of the numbers as they are written.
   bool is_polished = false;  ///< Whether its last gaps were removed, see polish().
   double crystalline = 0;    ///< The share of spheres in crystals, see crystalline_share [1].
   std::vector<PackingMoment> history;
@@ -61,11 +62,12 @@ HARDBALL_EXPORT Packing packing_of(const Packer& packer);
 HARDBALL_EXPORT void fit_numbers(PackedSpheres& spheres, Precision precision, double factor = 1);
 
 /// Gives a packing the size that the plan wants, and reduces radii until nothing overlaps in numbers of this
-/// precision, and the gap of the plan is there. Cost: O(n).
+/// precision, and the gap of the plan is there. Contacts become those of the result: where what touched
+/// before has wider gaps than count as contacts, these do. Cost: O(n).
 HARDBALL_EXPORT void finish(Packing& packing, const PackingPlan& plan,
                             Precision precision = Precision::doubles);
 
-/// The spheres as a frame: at rest, in the box around the container. Cost: O(n).
+/// The spheres as a frame: at rest, in the box around the container, with their labels. Cost: O(n).
 HARDBALL_EXPORT Snapshot snapshot_of(const PackedSpheres& spheres);
 
 /// A world in which they go on as a gas of this temperature, kT of spheres of mass 1 [M L^2 T^-2]. Cost:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -35,12 +36,18 @@ std::string rounded(double number, int digits) {
   return to_text(std::round(scale * number) / scale);
 }
 
+// To six digits, for messages.
+std::string shown(double number) {
+  const double digits = std::pow(10, 5 - std::floor(std::log10(number)));
+  return to_text(std::round(number * digits) / digits);
+}
+
 // Radii whose mean is one.
 std::vector<double> draw_radii(const std::optional<RadiusDistribution>& distribution, std::size_t count,
                                std::uint64_t seed, std::size_t dimensions) {
   if (!distribution) return std::vector<double>(count, 1.0);
   Random random(seed);
-  std::vector<double> radii = hardball::draw_radii(*distribution, count, random);
+  std::vector<double> radii = spread_radii(*distribution, count, random);
   const double mean = statistics_of(radii, dimensions).mean;
   for (double& radius : radii) radius /= mean;
   return radii;
@@ -97,16 +104,14 @@ void check_numbers(const PackingRequest& request) {
 }
 
 // Error: not three of the four are given, where the goal is a packing fraction; or not two of the other
-// three, where the goal says how dense spheres become by themselves.
+// three, where the goal says how dense spheres become by themselves. All four are refused elsewhere.
 Follows what_follows(const Given& given) {
   if (!given.goal) {
     if (given.count && given.diameter && given.size) return Follows::packing_fraction;
     refuse("nothing says how dense the packing is to be", "give a packing fraction, max or a pressure");
   }
   const int others = int{given.count} + int{given.diameter} + int{given.size};
-  if (others == 3) {
-    refuse("count, diameter, size of the container and density are all given", "leave one of the four out");
-  }
+  if (others == 3) return Follows::packing_fraction;
   if (!given.count) {
     if (given.diameter && given.size) return Follows::count;
     refuse("the count is not given, and does not follow from what is", "give a count, or diameter and box");
@@ -115,25 +120,32 @@ Follows what_follows(const Given& given) {
 }
 
 // Error: no arrangement of such spheres is so dense.
-void refuse_beyond_closest(double fraction, const SizeStatistics& sizes, std::size_t dimensions) {
+void refuse_beyond_closest(double fraction, const SizeStatistics& sizes, const PackingPlan& plan) {
   constexpr double kEqual = 1e-9;
   const bool is_equal = sizes.deviation < kEqual;
-  const double closest = !is_equal ? 1 : dimensions == 2 ? kClosePackingOfDiscs : kClosePacking;
+  const bool is_flat = plan.container.dimensions == 2;
+  const double closest = !is_equal ? 1 : is_flat ? kClosePackingOfDiscs : kClosePacking;
   if (fraction < closest) return;
-  refuse("no " + std::string(is_equal ? "equal " : "") + (dimensions == 2 ? "discs" : "spheres") + " fill " +
-             to_text(fraction) + " of the volume",
-         "give a packing fraction below " + to_text(std::floor(closest * 1e5) / 1e5));
+  const double left = power(1 - plan.gap, plan.container.dimensions);
+  std::string what = "no " + std::string(is_equal ? "equal " : "") + (is_flat ? "discs" : "spheres") +
+                     " fill " + (plan.gap > 0 ? shown(left * fraction) : to_text(fraction)) +
+                     " of the volume";
+  if (plan.gap > 0) {
+    what += " with gaps of " + to_text(plan.gap) + ": without them they would fill " + shown(fraction);
+  }
+  refuse(what, "give a packing fraction below " + to_text(std::floor(left * closest * 1e5) / 1e5));
 }
 
 void warn(PackingPlan& plan, const SizeStatistics& sizes) {
   const double* fraction = fraction_of(plan.goal);
   constexpr double kTooDense = 1.02;
   const bool has_walls = plan.container.wall_area() > 0;
-  if (fraction && *fraction > kTooDense * plan.plausible) {
+  if (fraction && *fraction > kTooDense * plan.plausible && !plan.is_narrow()) {
     std::string warning = "a packing fraction of " + to_text(*fraction) + " is beyond the " +
                           rounded(plan.plausible, 3) +
                           " at which such spheres jam; only crystals may be so dense";
     if (has_walls) warning += ", and the layers next to walls are looser";
+    if (plan.gap > 0) warning += "; that is before diameters are reduced by the gap";
     plan.warnings.push_back(warning);
   }
   constexpr std::size_t kFew = 10;
@@ -142,23 +154,48 @@ void warn(PackingPlan& plan, const SizeStatistics& sizes) {
         "the largest " + to_text(sizes.half_of_volume) + " of " + to_text(plan.radii.size()) +
         " spheres make up half of the volume; what they do decides, and differs from seed to seed");
   }
-  constexpr double kNarrow = 5;
-  const double widest = 2 * plan.container.largest_radius();
-  if (has_walls && widest < kNarrow * 2 * sizes.largest) {
+  if (plan.is_narrow()) {
     plan.warnings.push_back(
-        "the container is only " + rounded(widest / (2 * sizes.largest), 1) +
-        " diameters of the largest sphere wide; next to its walls spheres are looser, and some " +
-        rounded(plan.plausible, 2) + " is as dense as they get on average");
+        "the container is only " + rounded(plan.container.largest_radius() / sizes.largest, 1) +
+        " diameters of the largest sphere wide; how dense spheres become depends on that " +
+        "width, and may be far from the " + rounded(plan.plausible, 2) + " expected");
   }
 }
 
 // Error: the largest sphere does not fit.
 void check_fits(const PackingPlan& plan, const SizeStatistics& sizes) {
+  constexpr double kRounding = 1e-12;
   const double room = plan.container.largest_radius();
-  if (sizes.largest < room) return;
+  if (sizes.largest <= room * (1 + kRounding)) return;
   refuse("the largest diameter would be " + to_text(2 * sizes.largest) + " in a container " +
              to_text(2 * room) + " wide",
          "give more or smaller spheres, or a larger container");
+}
+
+// Whether the spheres of a start are discs: their box says so, or they were asked for, or they lie in one
+// plane in a box that leaves them no room across it, as LAMMPS has them in two dimensions. Error: discs were
+// asked for, and the spheres do not lie in one plane.
+bool are_discs(const PackingRequest& request) {
+  const Snapshot& start = *request.start;
+  if (start.box->is_flat) return true;
+  const double plane = start.spheres.front().position.z;
+  double largest = 0;
+  bool are_in_plane = true;
+  for (const Sphere& sphere : start.spheres) {
+    are_in_plane = are_in_plane && sphere.position.z == plane;
+    largest = std::max(largest, sphere.radius);
+  }
+  if (request.dimensions == 2 && !are_in_plane)
+    refuse("the spheres of the start do not lie in one plane",
+           "give a file with discs, or leave dimensions out");
+  constexpr double kRounding = 1e-12;
+  return are_in_plane && (request.dimensions == 2 || start.box->size.z <= 2 * largest * (1 + kRounding));
+}
+
+// The goal of spheres that are as dense as wanted when they are reduced by the gap.
+PackingRequest::Goal before_gap(PackingRequest::Goal goal, double gap, std::size_t dimensions) {
+  if (auto* fraction = std::get_if<double>(&goal)) *fraction /= power(1 - gap, dimensions);
+  return goal;
 }
 
 PackingPlan plan_from_start(const PackingRequest& request) {
@@ -173,18 +210,29 @@ PackingPlan plan_from_start(const PackingRequest& request) {
   if (start.spheres.empty()) refuse("there are no spheres at the start", "give a file with spheres");
   if (!start.box || start.box->is_unbounded)
     refuse("the spheres of the start have no box", "give a file with a box");
+  if (start.box->tilt != 0) {
+    refuse("the box of the start is tilted by " + to_text(start.box->tilt),
+           "give a file whose box has edges along the axes");
+  }
   PackingPlan plan;
-  plan.goal = *request.goal;
+  plan.gap = request.gap;
   plan.follows = Follows::diameter;
-  plan.container.dimensions = start.box->is_flat ? 2 : 3;
+  const bool is_flat = are_discs(request);
+  plan.container.dimensions = is_flat ? 2 : 3;
+  plan.goal = before_gap(*request.goal, request.gap, plan.container.dimensions);
   plan.container.size = start.box->size;
-  if (start.box->is_flat) plan.container.size.z = 0;
+  plan.labels.low = start.box->low;
+  if (is_flat) plan.container.size.z = plan.labels.low.z = 0;
   for (std::size_t axis = 0; axis < plan.container.dimensions; ++axis)
     plan.container.has_walls[axis] = !start.box->is_periodic[axis];
-  for (const Sphere& sphere : start.spheres) {
+  for (std::size_t i = 0; i < start.spheres.size(); ++i) {
+    const Sphere& sphere = start.spheres[i];
     plan.radii.push_back(sphere.radius);
     plan.start.push_back(sphere.position - start.box->low);
-    if (start.box->is_flat) plan.start.back().z = 0;
+    if (is_flat) plan.start.back().z = 0;
+    plan.labels.ids.push_back(start.id(i));
+    plan.labels.species.push_back(sphere.species);
+    plan.labels.masses.push_back(sphere.mass);
   }
   const SizeStatistics sizes = statistics_of(plan.radii, plan.container.dimensions);
   const double volume = plan.container.volume();
@@ -195,7 +243,8 @@ PackingPlan plan_from_start(const PackingRequest& request) {
                " of the volume already, and are to fill " + to_text(*fraction),
            "give a higher packing fraction");
   }
-  plan.plausible = plausible_packing_fraction(sizes, plan.container);
+  plan.plausible = plausible_packing_fraction(jamming_in_bulk(plan.radii, plan.container.dimensions), sizes,
+                                              plan.container);
   return plan;
 }
 
@@ -207,15 +256,27 @@ std::size_t count_for(const PackingRequest& request, double volume) {
   const double count = volume / unit_volume(request.dimensions);
   if (!request.distribution) return whole(count);
   // The mean volume depends on the sizes drawn, and these on how many they are.
+  const auto mean_volume = [&](std::size_t spheres) {
+    return statistics_of(draw_radii(request.distribution, spheres, request.seed, request.dimensions),
+                         request.dimensions)
+        .mean_volume;
+  };
   constexpr int kRounds = 4;
   constexpr double kPilot = 1e4;
   double next = std::min(count, kPilot);
-  for (int round = 0; round < kRounds; ++round) {
-    const std::vector<double> radii =
-        draw_radii(request.distribution, whole(next), request.seed, request.dimensions);
-    next = count / statistics_of(radii, request.dimensions).mean_volume;
+  for (int round = 0; round < kRounds; ++round) next = count / mean_volume(whole(next));
+  // Of few, a single large one changes it much: all numbers are tried.
+  constexpr std::size_t kFew = 500;
+  std::size_t best = whole(next);
+  if (best > kFew) return best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t spheres = 1, most = 2 * best + 2; spheres <= most; ++spheres) {
+    const double off = std::fabs(static_cast<double>(spheres) * mean_volume(spheres) - count);
+    if (off >= least) continue;
+    least = off;
+    best = spheres;
   }
-  return whole(next);
+  return best;
 }
 
 // The count that follows from the volume and the density, for spheres that jam the one at which they can be
@@ -225,7 +286,8 @@ std::size_t following_count(const PackingRequest& request) {
   constexpr std::size_t kPilot = 10000;
   const std::vector<double> radii =
       draw_radii(request.distribution, kPilot, request.seed, request.dimensions);
-  const double plausible = plausible_packing_fraction(statistics_of(radii, request.dimensions), container);
+  const double plausible = plausible_packing_fraction(jamming_in_bulk(radii, request.dimensions),
+                                                      statistics_of(radii, request.dimensions), container);
   const double* fraction = fraction_of(*request.goal);
   return count_for(request, (fraction ? *fraction : plausible) * container.volume());
 }
@@ -234,10 +296,11 @@ std::size_t following_count(const PackingRequest& request) {
 // dense that is.
 void fit(PackingPlan& plan) {
   const std::size_t dimensions = plan.container.dimensions;
+  const double in_bulk = jamming_in_bulk(plan.radii, dimensions);
   constexpr int kRounds = 8;
   for (int round = 0; round < kRounds; ++round) {
     const SizeStatistics sizes = statistics_of(plan.radii, dimensions);
-    plan.plausible = plausible_packing_fraction(sizes, plan.container);
+    plan.plausible = plausible_packing_fraction(in_bulk, sizes, plan.container);
     const double volume =
         unit_volume(dimensions) * sizes.mean_volume * static_cast<double>(plan.radii.size());
     const double factor = root(plan.expected_fraction() * plan.container.volume() / volume, dimensions);
@@ -246,8 +309,44 @@ void fit(PackingPlan& plan) {
   }
 }
 
-PackingPlan plan_from_numbers(const PackingRequest& request) {
+// The count follows from a packing fraction, and is a whole number.
+void warn_of_whole_number(PackingPlan& plan, double wanted, double fraction) {
+  constexpr double kNoticed = 0.01;
+  if (std::fabs(fraction - wanted) <= kNoticed * wanted) return;
+  const double of_volume = power(1 - plan.gap, plan.container.dimensions);
+  plan.warnings.push_back("the nearest to a packing fraction of " + shown(of_volume * wanted) + " is " +
+                          shown(of_volume * fraction) + ", with " + to_text(plan.radii.size()) +
+                          " spheres of this diameter");
+}
+
+// Error: count, diameter, container and density are all given, and do not agree.
+void check_agreement(const PackingRequest& request, const PackingPlan& plan, double fraction) {
+  if (!request.goal) return;
+  const double left = 1 - request.gap;
+  const double of_volume = power(left, plan.container.dimensions);
+  const std::string these = to_text(plan.radii.size()) +
+                            (plan.container.dimensions == 2 ? " discs" : " spheres") + " of mean diameter " +
+                            shown(left * plan.diameter) + " fill " + shown(of_volume * fraction) +
+                            " of this container";
+  const double* wanted = fraction_of(*request.goal);
+  if (!wanted) refuse(these + ", and are to become as dense as they can", "leave one of the four out");
+  constexpr double kRounding = 1e-9;
+  if (std::fabs(fraction - *wanted) <= kRounding * *wanted) return;
+  const double factor = root(fraction / *wanted, plan.container.dimensions);
+  refuse(these + ", not " + shown(of_volume * *wanted) + ": for that all its edges would have to be " +
+             shown(factor) + " times as long, or the mean diameter " + shown(left * plan.diameter / factor),
+         "leave one of the four out");
+}
+
+PackingPlan plan_from_numbers(const PackingRequest& wanted) {
+  // Of spheres before they are reduced by the gap.
+  PackingRequest request = wanted;
+  const double factor = 1 / (1 - wanted.gap);
+  if (request.diameter) *request.diameter *= factor;
+  multiply(request.radii, factor);
+  if (request.goal) request.goal = before_gap(*request.goal, request.gap, request.dimensions);
   PackingPlan plan;
+  plan.gap = request.gap;
   plan.follows = what_follows(given_in(request));
   const std::size_t dimensions = request.dimensions;
   plan.container = request.container.value_or(Container::periodic({1, 1, dimensions == 2 ? 0.0 : 1.0}));
@@ -265,11 +364,14 @@ PackingPlan plan_from_numbers(const PackingRequest& request) {
     plan.diameter = *request.diameter;
   }
   const SizeStatistics sizes = statistics_of(plan.radii, dimensions);
-  plan.plausible = plausible_packing_fraction(sizes, plan.container);
+  plan.plausible = plausible_packing_fraction(jamming_in_bulk(plan.radii, dimensions), sizes, plan.container);
   if (plan.follows == Follows::packing_fraction ||
       (plan.follows == Follows::count && fraction_of(*request.goal))) {
-    plan.goal = unit_volume(dimensions) * sizes.mean_volume * static_cast<double>(plan.radii.size()) /
-                plan.container.volume();
+    const double fraction = unit_volume(dimensions) * sizes.mean_volume *
+                            static_cast<double>(plan.radii.size()) / plan.container.volume();
+    if (plan.follows == Follows::packing_fraction) check_agreement(request, plan, fraction);
+    if (plan.follows == Follows::count) warn_of_whole_number(plan, *fraction_of(*request.goal), fraction);
+    plan.goal = fraction;
   } else {
     plan.goal = *request.goal;
     fit(plan);
@@ -283,10 +385,10 @@ PackingPlan plan_from_numbers(const PackingRequest& request) {
 void check_existence(const PackingPlan& plan, const SizeStatistics& sizes) {
   if (plan.radii.size() == 1 && plan.container.wall_area() == 0)
     refuse("one sphere in a periodic box has nothing to touch", "give at least two spheres, or walls");
-  if (const double* fraction = fraction_of(plan.goal)) {
-    refuse_beyond_closest(*fraction, sizes, plan.container.dimensions);
-    if (plan.start.empty()) check_fits(plan, sizes);
-  }
+  const double* fraction = fraction_of(plan.goal);
+  if (fraction) refuse_beyond_closest(*fraction, sizes, plan);
+  // Where the size follows from how dense spheres become, it is not known yet.
+  if (plan.start.empty() && (fraction || plan.follows == Follows::count)) check_fits(plan, sizes);
   const auto* pressure = std::get_if<Pressure>(&plan.goal);
   if (!pressure) return;
   // The resolution of coordinates.
@@ -329,18 +431,31 @@ double PackingPlan::expected_collisions() const {
   collisions += hardball::expected_collisions(begin, end, rate, plausible, dimensions);
   double last = 0;
   if (std::holds_alternative<Densest>(goal)) last = protocol::kJammed;
-  if (const auto* pressure = std::get_if<Pressure>(&goal)) last = pressure->compressibility;
-  if (!(last > protocol::kRelaxedFrom)) return collisions;
+  if (const auto* pressure = std::get_if<Pressure>(&goal)) {
+    last = pressure->compressibility;
+    collisions += protocol::kApproach;
+  }
+  // About as many again are spent on other numbers of spheres.
+  const double attempts = follows == Follows::count && !fraction_of(goal) ? 2 : 1;
+  if (!(last > protocol::kRelaxedFrom)) return attempts * collisions;
   const double steps = std::log(last / protocol::kRelaxedFrom) / -std::log1p(-protocol::kStep);
   const double heating = std::sqrt(std::numbers::pi) / 3 * 2 * rate;
-  return collisions + steps * (2 * protocol::kStep / heating + protocol::kRelaxation + protocol::kWindow) +
-         protocol::kWeighing;
+  return attempts * (collisions + protocol::kWeighing +
+                     steps * (2 * protocol::kStep / heating + protocol::kRelaxation + protocol::kWindow));
+}
+
+double PackingPlan::final_fraction() const {
+  return expected_fraction() * power(1 - gap, container.dimensions);
+}
+
+bool PackingPlan::is_narrow() const {
+  constexpr double kNarrow = 5;
+  return container.wall_area() > 0 && container.largest_radius() < kNarrow * std::ranges::max(radii);
 }
 
 PackingPlan plan(const PackingRequest& request) {
   check_numbers(request);
   PackingPlan plan = request.start ? plan_from_start(request) : plan_from_numbers(request);
-  plan.gap = request.gap;
   plan.seed = request.seed;
   const std::size_t dimensions = plan.container.dimensions;
   const SizeStatistics sizes = statistics_of(plan.radii, dimensions);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hardball/errors/export.hpp"
+#include "hardball/packing/packed_spheres.hpp"
 #include "hardball/packing/packing_request.hpp"
 
 namespace hardball {
@@ -20,21 +21,28 @@ struct HARDBALL_EXPORT PackingPlan {
 
   PackingRequest::Goal goal;
   Follows follows = Follows::diameter;
-  Container container;        ///< In which spheres grow; its size may be changed in the end.
-  std::vector<double> radii;  ///< Of the goal; where it is not a packing fraction, about those [L].
-  std::vector<Vec3> start;    ///< Where the centers are; random if empty [L].
+  Container container;  ///< In which spheres grow; its size may be changed in the end.
+  std::vector<double>
+      radii;                ///< Of the goal, before gaps are left; where it is no fraction, about those [L].
+  std::vector<Vec3> start;  ///< Where the centers are; random if empty [L].
   double start_fraction = 0;  ///< The packing fraction at which growth starts [1].
-  double diameter = 0;        ///< The mean in the end, unless it follows [L].
+  double diameter = 0;        ///< The mean before gaps are left, unless it follows [L].
   std::optional<RadiusDistribution> distribution = {};  ///< From which radii were drawn.
   double plausible = 0;        ///< The packing fraction at which such spheres can be expected to jam [1].
   double rate = 0;             ///< As in GrowthRules.
   bool is_rate_given = false;  ///< So that it is not lowered if spheres lock.
-  double gap = 0;              ///< As in PackingRequest.
+  double gap = 0;  ///< As in PackingRequest: spheres grow until they have no gaps, and are reduced then.
   std::uint64_t seed = 1;
   std::vector<std::string> warnings = {};  ///< What about the request is doubtful, a sentence each.
+  SphereLabels labels = {};                ///< Of the spheres of a start.
 
-  /// The packing fraction of the goal, or the plausible one [1].
+  /// The packing fraction of the goal, or the plausible one, before gaps are left [1].
   double expected_fraction() const;
+  /// That of the packing when gaps are left [1].
+  double final_fraction() const;
+  /// Whether the container is so narrow, in diameters of the largest sphere, that its width decides how dense
+  /// spheres become: then `plausible` means little.
+  bool is_narrow() const;
   /// How many collisions for each sphere the run can be expected to take; some 30% off.
   double expected_collisions() const;
 
@@ -42,8 +50,10 @@ struct HARDBALL_EXPORT PackingPlan {
     archive(self.goal, self.follows, self.container, self.radii, self.start, self.start_fraction,
             self.diameter, self.distribution, self.plausible, self.rate, self.is_rate_given, self.gap,
             self.seed, self.warnings);
+    if (archive.version() >= kVersionOfLabels) archive(self.labels);
     archive.require(self.follows <= Follows::packing_fraction);
   }
+  static constexpr std::uint32_t kVersionOfLabels = 9;  // of archives
 };
 
 /// Works out what a request leaves open. Cost: O(n log n). Error: fewer or more is given than determines the

@@ -43,7 +43,9 @@ struct PackingRequest {
   std::optional<Goal> goal = {};
   /// How fast spheres grow, in the unit of GrowthRules::rate; chosen by the goal if not given.
   std::optional<double> rate = {};
-  double gap = 0;  ///< By which fraction radii are reduced in the end, beyond what rounding takes [1].
+  /// By which fraction radii are reduced in the end, beyond what rounding takes [1]. Count, diameter,
+  /// container and packing fraction are those of the reduced spheres.
+  double gap = 0;
   std::uint64_t seed = 1;  ///< Of sizes, positions and velocities.
   /// Spheres that grow from where they are, in the box of the snapshot; their number, sizes and container are
   /// not given otherwise.

@@ -27,7 +27,14 @@ inline constexpr double kWeighing = 100;
 /// Spheres that are to be as dense as a goal and reach this pressure have locked.
 inline constexpr double kLocked = 1e4;
 /// How often packing begins anew with another number of spheres, where that follows from their diameter.
-inline constexpr int kRecounts = 6;
+inline constexpr int kRecounts = 12;
+/// A pressure is reached between that wanted and so many times it, and sought so far between the two.
+inline constexpr double kHighest = 1.1;
+inline constexpr double kSought = 1.05;
+/// That takes some so many collisions.
+inline constexpr double kApproach = 400;
+/// So near to a packing fraction spheres that have jammed have reached it: it is that at which they jam.
+inline constexpr double kExact = 1e-8;
 /// How often the rate is halved when they have.
 inline constexpr int kAttempts = 3;
 /// Lower rates are for those who ask for them.

@@ -11,6 +11,8 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/memory/function.hpp"
+#include "hardball/numbers/exact_sum.hpp"
 
 namespace hardball {
 namespace {
@@ -27,9 +29,8 @@ double draw_lognormal(const RadiusDistribution& d, Random& random) {
               "give min and max on either side of the mean");
 }
 
-// By inversion of the cumulative distribution: with a = exponent + 1, r^a is uniform.
-double draw_powerlaw(const RadiusDistribution& d, Random& random) {
-  const double u = random.uniform();
+// By inversion of the cumulative distribution at a share u of it: with a = exponent + 1, r^a is uniform.
+double powerlaw_quantile(const RadiusDistribution& d, double u) {
   const double a = d.exponent + 1;
   const double span = portable_log(d.max / d.min);
   // So near to a uniform logarithm that no sample shows the difference.
@@ -38,7 +39,8 @@ double draw_powerlaw(const RadiusDistribution& d, Random& random) {
   if (std::fabs(a * span) < kFlat) {
     radius = d.min * portable_exp(u * span);
   } else if (a < 0) {
-    radius = d.min * portable_exp(portable_log(1 - u * (1 - portable_exp(a * span))) / a);
+    const double left = 1 - u * (1 - portable_exp(a * span));
+    radius = left < kSmallestMagnitude ? d.max : d.min * portable_exp(portable_log(left) / a);
   } else {
     // The same, with no power that overflows.
     const double least = portable_exp(-a * span);
@@ -48,15 +50,66 @@ double draw_powerlaw(const RadiusDistribution& d, Random& random) {
   return std::clamp(radius, d.min, d.max);
 }
 
+double uniform_quantile(const RadiusDistribution& d, double u) {
+  return std::clamp(d.min + u * (d.max - d.min), d.min, d.max);
+}
+
+// (exp(b span) - 1) / b, the integral of exp(b x) up to `span`.
+double integral_of_exponential(double b, double span) {
+  constexpr double kFlat = 1e-8;
+  if (std::fabs(b * span) < kFlat) return span;
+  return (portable_exp(b * span) - 1) / b;
+}
+
+double mean_of_powerlaw(const RadiusDistribution& d) {
+  const double a = d.exponent + 1;
+  const double span = portable_log(d.max / d.min);
+  if (span == 0) return d.min;
+  // From the end at which no power overflows.
+  if (a < -0.5) return d.min * integral_of_exponential(a + 1, span) / integral_of_exponential(a, span);
+  return d.max * integral_of_exponential(-a - 1, span) / integral_of_exponential(-a, span);
+}
+
+double mean_of(const std::vector<double>& radii) {
+  ExactSum sum;
+  for (const double radius : radii) sum += radius;
+  return sum.value() / static_cast<double>(radii.size());
+}
+
+void shuffle(std::vector<double>& radii, Random& random) {
+  for (std::size_t left = radii.size(); left > 1; --left) {
+    const auto chosen = static_cast<std::size_t>(random.uniform() * static_cast<double>(left));
+    std::swap(radii[chosen], radii[left - 1]);
+  }
+}
+
+// One radius from each of `count` equal shares of a distribution. Between the least and the most of each they
+// are where their mean is that wanted.
+std::vector<double> spread(const Function<double(double)>& quantile, double mean, std::size_t count) {
+  const auto at = [&](double offset) {
+    std::vector<double> radii(count);
+    for (std::size_t i = 0; i < count; ++i)
+      radii[i] = quantile((static_cast<double>(i) + offset) / static_cast<double>(count));
+    return radii;
+  };
+  std::vector<double> radii = at(0.5);
+  const double missing = mean - mean_of(radii);
+  const std::vector<double> ends = at(missing > 0 ? 1 : 0);
+  const double room = mean_of(ends) - mean_of(radii);
+  const double share = room == 0 ? 0 : std::clamp(missing / room, 0.0, 1.0);
+  for (std::size_t i = 0; i < count; ++i) radii[i] += share * (ends[i] - radii[i]);
+  return radii;
+}
+
 std::vector<double> draw_each(const RadiusDistribution& d, std::size_t count, Random& random) {
   std::vector<double> radii(count);
   for (double& radius : radii) {
     if (d.kind == Kind::lognormal) {
       radius = draw_lognormal(d, random);
     } else if (d.kind == Kind::powerlaw) {
-      radius = draw_powerlaw(d, random);
+      radius = powerlaw_quantile(d, random.uniform());
     } else {
-      radius = std::clamp(d.min + random.uniform() * (d.max - d.min), d.min, d.max);
+      radius = uniform_quantile(d, random.uniform());
     }
   }
   return radii;
@@ -88,10 +141,7 @@ std::vector<double> draw_discrete(const RadiusDistribution& d, std::size_t count
   std::vector<double> radii;
   radii.reserve(count);
   for (std::size_t i = 0; i < shares.size(); ++i) radii.insert(radii.end(), shares[i], d.values[i]);
-  for (std::size_t left = count; left > 1; --left) {
-    const auto chosen = static_cast<std::size_t>(random.uniform() * static_cast<double>(left));
-    std::swap(radii[chosen], radii[left - 1]);
-  }
+  shuffle(radii, random);
   return radii;
 }
 
@@ -113,6 +163,17 @@ std::vector<double> draw_radii(const RadiusDistribution& distribution, std::size
   if (distribution.kind == Kind::discrete) return draw_discrete(distribution, count, random);
   if (distribution.kind == Kind::file) return read_as_many(distribution, count);
   return draw_each(distribution, count, random);
+}
+
+std::vector<double> spread_radii(const RadiusDistribution& distribution, std::size_t count, Random& random) {
+  const RadiusDistribution& d = distribution;
+  const bool is_uniform = d.kind == Kind::uniform;
+  if (!is_uniform && d.kind != Kind::powerlaw) return draw_radii(d, count, random);
+  const double mean = is_uniform ? d.min + (d.max - d.min) / 2 : mean_of_powerlaw(d);
+  std::vector<double> radii = spread(
+      [&](double u) { return is_uniform ? uniform_quantile(d, u) : powerlaw_quantile(d, u); }, mean, count);
+  shuffle(radii, random);
+  return radii;
 }
 
 std::vector<double> read_radii(const std::filesystem::path& file, const std::string& where,

@@ -47,6 +47,12 @@ struct RadiusDistribution {
 HARDBALL_EXPORT std::vector<double> draw_radii(const RadiusDistribution& distribution, std::size_t count,
                                                Random& random);
 
+/// Radii of `count` spheres [L] that follow the distribution as evenly as so many can, in random order: where
+/// it lies between min and max with a density, each radius stands for an equal share of it, and their mean is
+/// that of the distribution. All others are as draw_radii returns them. Error: as for draw_radii.
+HARDBALL_EXPORT std::vector<double> spread_radii(const RadiusDistribution& distribution, std::size_t count,
+                                                 Random& random);
+
 /// The radii in a text file, one on each line [L]; no more are read than `most`, and one. Error, with the
 /// file's place, or `where`: it cannot be read; a line is no positive number.
 HARDBALL_EXPORT std::vector<double> read_radii(const std::filesystem::path& file, const std::string& where,

@@ -196,6 +196,7 @@ void bind_packing(py::module_& module) {
       .def_property_readonly("collisions", number(&Packing::collisions))
       .def_property_readonly("shrink", number(&Packing::shrink))
       .def_property_readonly("largest_overlap", number(&Packing::largest_overlap))
+      .def_property_readonly("smallest_gap", number(&Packing::smallest_gap))
       .def_property_readonly("crystalline", number(&Packing::crystalline))
       .def_property_readonly("is_polished", number(&Packing::is_polished))
       .def_property_readonly("warnings", number(&Packing::warnings))

@@ -104,14 +104,15 @@ def pack(
     :param walls: the axes of the box with walls, as in 'z'; the others are periodic.
     :param container: instead of a box, as in 'cylinder:7,50'; see docs/packing.md.
     :param phi: the packing fraction, or 'max' for as dense as spheres jam.
-    :param pressure: instead of phi, PV/NkT of the median sphere.
+    :param pressure: instead of phi, PV/NkT of the median sphere, reached to between this and 1.1 times it.
     :param rate: how fast the mean diameter grows, over the thermal speed; chosen by the density if not given.
-    :param gap: by which fraction diameters are reduced in the end.
+    :param gap: by which fraction diameters are reduced in the end; diameter and phi are those of the reduced spheres.
     :param dimensions: 2 for discs.
     :param start: a file with spheres, which grow from where they are.
     :param seed: the seed of the random numbers.
     :param limit: a time after which packing ends [s].
-    :param polish: whether to remove the last gaps between spheres that have jammed.
+    :param polish: whether to remove the last gaps between spheres that have jammed; where that fails, `warnings` says
+        so, and `is_polished` is false.
     :param threads: threads that share the work; affects only the speed.
 
     Error: what is given does not determine a packing, or none exists. PackingFailed: it was not reached.

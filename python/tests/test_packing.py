@@ -79,6 +79,12 @@ class PackingTest(unittest.TestCase):
         packing = hardball.pack(sizes=[1, 2, 3], phi=0.2)
         np.testing.assert_allclose(packing.radii, [1, 2, 3])
 
+    def test_gap(self):
+        packing = hardball.pack(50, diameter=2, phi=0.4, gap=0.1)
+        self.assertAlmostEqual(packing.phi, 0.4, places=12)
+        self.assertAlmostEqual(2 * packing.radii.mean(), 2, places=12)
+        self.assertGreaterEqual(packing.smallest_gap, 0.1)
+
     def test_errors(self):
         with self.assertRaisesRegex(hardball.Error, "no equal spheres"):
             hardball.pack(10, phi=0.9)

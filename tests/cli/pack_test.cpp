@@ -99,6 +99,53 @@ TEST_F(Pack, GoesOnFromAFile) {
   EXPECT_EQ(pack({"--start", "b.xyz", "--phi", "0.4"}).exit_code, 2);
 }
 
+// A dump of LAMMPS in a tilted box.
+TEST_F(Pack, RefusesAStartInATiltedBox) {
+  support::write_text(folder_ / "t.lammpstrj",
+                      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp pp\n"
+                      "0.0 13.0 3.0\n0.0 10.0 0.0\n0.0 10.0 0.0\n"
+                      "ITEM: ATOMS id type x y z vx vy vz radius\n"
+                      "1 1 1 1 1 0 0 0 0.5\n2 1 12.5 9.5 5 0 0 0 0.5\n");
+  const Outcome outcome = pack({"--start", "t.lammpstrj", "--phi", "0.1", "--out", "a.xyz"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.messages.find("tilted by 3"), std::string::npos) << outcome.messages;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.xyz"));
+}
+
+// LAMMPS in two dimensions has centers at z = 0, and a box from -0.5 to 0.5.
+TEST_F(Pack, ReadsADumpOfTwoDimensionsAsDiscs) {
+  support::write_text(folder_ / "d.lammpstrj",
+                      "ITEM: TIMESTEP\n500\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n"
+                      "0.0 10.0\n0.0 10.0\n-5.0e-01 5.0e-01\n"
+                      "ITEM: ATOMS id type x y z vx vy vz radius\n"
+                      "1 1 1 2 0 1 0 0 0.5\n2 2 4 5 0 0 -1 0 0.25\n3 2 9.9 9 0 0.3 -1 0 0.25\n");
+  for (const Arguments& more : {Arguments{}, Arguments{"--dimensions", "2"}}) {
+    Arguments arguments{"--start", "d.lammpstrj", "--phi", "0.1", "--out", "e.lammpstrj", "--overwrite"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const json found = packed(arguments);
+    EXPECT_EQ(found["status"], "reached");
+    EXPECT_EQ(found["dimensions"], 2);
+    EXPECT_NEAR(found["phi"].get<double>(), 0.1, 1e-12);
+  }
+  // What is written is read as discs again.
+  EXPECT_EQ(packed({"--start", "e.lammpstrj", "--phi", "0.2"})["dimensions"], 2);
+}
+
+TEST_F(Pack, KeepsIdsTypesMassesAndTheCornerOfItsStart) {
+  support::write_text(folder_ / "a.lammpstrj",
+                      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp ff\n"
+                      "-2 8\n-0.5 9.5\n-15 5\nITEM: ATOMS id type x y z ix iy iz vx vy vz radius mass\n"
+                      "5 2 -1.5 0.25 -14 1 0 0 1 0 0 0.5 2\n9 1 7 9 4 0 -1 0 0 1 0 0.25 3\n");
+  packed({"--start", "a.lammpstrj", "--phi", "0.1", "--out", "b.lammpstrj"});
+  const std::string written = text("b.lammpstrj");
+  for (const std::string part : {"-2 8\n-0.5 9.5\n-15 5\n", "\n5 2 ", "\n9 1 ", " 2\n9", " 3\n"})
+    EXPECT_NE(written.find(part), std::string::npos) << part << "\n" << written;
+  // From a checkpoint, too.
+  packed({"--start", "a.lammpstrj", "--phi", "0.1", "--limit", "0", "--out", "c.lammpstrj"}, 1);
+  packed({"--resume", "c.lammpstrj.checkpoint", "--out", "c.lammpstrj", "--overwrite"});
+  EXPECT_EQ(text("c.lammpstrj"), written);
+}
+
 TEST_F(Pack, PredictsWithoutPacking) {
   const json found = packed({"--count", "1000000", "--phi", "0.64", "--dry-run"});
   EXPECT_GT(found["collisions"].get<double>(), 1e8);
@@ -164,6 +211,26 @@ TEST_F(Pack, PolishesToTheIsostaticNumber) {
   EXPECT_EQ(found["isostaticity"], 1);
   EXPECT_EQ(found["contacts"], 3 * (found["count"].get<int>() - found["rattlers"].get<int>() - 1) + 1);
   EXPECT_EQ(pack({"--count", "60", "--phi", "0.5", "--polish"}).exit_code, 2);
+}
+
+TEST_F(Pack, PolishesInCurvedContainersAndMixtures) {
+  for (const Arguments& request :
+       {Arguments{"--container", "cylinder:6,8"}, Arguments{"--container", "sphere:7"},
+        Arguments{"--container", "cone:6,8"}, Arguments{"--container", "sphere:7", "--dimensions", "2"},
+        Arguments{"--sizes", "discrete:1=0.5,5=0.5"}}) {
+    Arguments arguments{"--count", "40", "--phi", "max"};
+    arguments.insert(arguments.end(), request.begin(), request.end());
+    const json before = packed(arguments);
+    arguments.emplace_back("--polish");
+    const json found = packed(arguments);
+    EXPECT_EQ(found["polished"], true) << request[1];
+    EXPECT_GE(found["phi"].get<double>(), before["phi"].get<double>() * (1 - 1e-13)) << request[1];
+    EXPECT_LT(found["contact_tolerance"].get<double>(), 1.1e-12);
+    EXPECT_GE(found["contacts"].get<int>(), before["contacts"].get<int>() * 9 / 10) << request[1];
+    // In the apex of a cone one contact holds a sphere all around.
+    if (request[1] == "cone:6,8") continue;
+    EXPECT_GE(found["isostaticity"].get<double>(), 1) << request[1];
+  }
 }
 #endif
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "hardball/errors/error.hpp"
@@ -174,6 +175,94 @@ TEST(PackingPlan, WarnsOfNarrowContainers) {
   EXPECT_TRUE(has_warning(plan_of({.diameter = "1", .container = "cylinder:3,20", .phi = "max"}),
                           "diameters of the largest sphere wide"));
   EXPECT_FALSE(has_warning(plan_of({.diameter = "1", .container = "cylinder:12,20", .phi = "max"}), "wide"));
+}
+
+// 200 sizes drawn at random have a mean of some 34.6, and scaled to a mean of 35 some would be 50.6.
+TEST(PackingPlan, SizesStayWithinTheirRange) {
+  const PackingPlan found =
+      plan_of({.count = "200", .diameter = "35", .sizes = "uniform:20,50", .phi = "0.3"});
+  EXPECT_NEAR(mean_diameter(found), 35, 1e-12);
+  EXPECT_GE(2 * std::ranges::min(found.radii), 20);
+  EXPECT_LE(2 * std::ranges::max(found.radii), 50);
+}
+
+TEST(PackingPlan, SaysByHowMuchCountDiameterContainerAndDensityDisagree) {
+  const PackingText four{.count = "1000", .diameter = "1", .box = "10", .phi = "0.6"};
+  for (const std::string part :
+       {"1000 spheres of mean diameter 1 fill 0.523599", "not 0.6", "0.955614 times", "1.04645"})
+    expect_refused(four, part);
+  expect_refused({.count = "1000", .diameter = "1", .box = "10", .phi = "max"}, "fill 0.523599");
+  const PackingPlan agreeing =
+      plan_of({.count = "1000", .diameter = "1", .box = "10", .phi = "0.5235987755982988"});
+  EXPECT_EQ(agreeing.radii.size(), 1000U);
+}
+
+TEST(PackingPlan, SpheresWithGapsAreAsDenseAndAsLargeAsWanted) {
+  const PackingPlan found = plan_of({.count = "100", .diameter = "2", .phi = "0.5", .gap = "0.1"});
+  EXPECT_NEAR(mean_diameter(found), 2 / 0.9, 1e-12);
+  EXPECT_NEAR(fraction_of(found), 0.5 / (0.9 * 0.9 * 0.9), 1e-12);
+  EXPECT_NEAR(found.final_fraction(), 0.5, 1e-12);
+  expect_refused({.count = "100", .phi = "0.6", .gap = "0.6"}, "fill 0.6 of the volume with gaps of 0.6");
+  expect_refused({.count = "100", .phi = "0.6", .gap = "0.6"}, "below 0.04739");
+}
+
+// Measured: 0.638, 500 spheres. The others: Farr and Groot, and Farr, Powder Technology 245 (2013) 28.
+TEST(PackingPlan, KnowsWhereMixturesJam) {
+  const auto plausible = [](const std::string& sizes) {
+    return plan_of({.count = "5000", .sizes = sizes, .phi = "max"}).plausible;
+  };
+  EXPECT_EQ(plan_of({.count = "100", .phi = "max"}).plausible, 0.644);
+  EXPECT_NEAR(plausible("discrete:1=0.5,20=0.5"), 0.639, 0.01);
+  EXPECT_NEAR(plausible("lognormal:0.1"), 0.647, 0.005);
+  EXPECT_NEAR(plausible("lognormal:0.3"), 0.671, 0.005);
+  EXPECT_NEAR(plausible("lognormal:0.5"), 0.707, 0.01);
+}
+
+TEST(PackingPlan, SpheresMayFillTheWidthOfTheirContainer) {
+  const PackingPlan found = plan_of({.count = "3", .diameter = "10", .container = "cylinder:10,30"});
+  EXPECT_NEAR(fraction_of(found), 2.0 / 3, 1e-12);
+  expect_refused({.count = "3", .diameter = "10.1", .container = "cylinder:10,31"},
+                 "the largest diameter would be 10.1 in a container 10 wide");
+  expect_refused({.diameter = "10.1", .container = "cylinder:10,31", .phi = "max"}, "in a container 10 wide");
+}
+
+TEST(PackingPlan, FewSpheresThatFollowAreAsDenseAsAWholeNumberAllows) {
+  for (const std::string seed : {"1", "2", "3", "4", "5"}) {
+    const PackingPlan found =
+        plan_of({.diameter = "1", .sizes = "lognormal:0.5", .box = "4", .phi = "0.4", .seed = seed});
+    const double off = std::fabs(fraction_of(found) - 0.4);
+    for (std::size_t count = 1; count < 60; ++count)
+      EXPECT_LE(off, std::fabs(fraction_of(with_count(found, count)) - 0.4) + 1e-12) << seed << " " << count;
+  }
+}
+
+TEST(PackingPlan, ReadsDiscsWhereTheyLieInAPlane) {
+  PackingRequest request;
+  request.start.emplace();
+  request.start->spheres = {{.position = {1, 1, 0}, .radius = 0.25}, {.position = {4, 4, 0}, .radius = 0.25}};
+  request.start->box = SnapshotBox{{0, 0, -0.5}, {6, 6, 1}, {true, true, true}};
+  request.goal = 0.1;
+  EXPECT_EQ(plan(request).container.dimensions, 3U) << "spheres have room across the plane";
+  request.dimensions = 2;
+  EXPECT_EQ(plan(request).container.dimensions, 2U);
+  EXPECT_EQ(plan(request).container.size.z, 0);
+  request.dimensions = 3;
+  request.start->spheres[0].radius = 0.5;
+  EXPECT_EQ(plan(request).container.dimensions, 2U) << "they have none";
+  request.dimensions = 2;
+  request.start->spheres[1].position.z = 0.1;
+  EXPECT_THROW(plan(request), Error) << "not in one plane";
+}
+
+TEST(PackingPlan, RefusesTiltedBoxes) {
+  PackingRequest request;
+  request.start.emplace();
+  request.start->spheres = {{.position = {1, 1, 1}, .radius = 0.5}, {.position = {4, 4, 4}, .radius = 0.5}};
+  request.start->box = SnapshotBox{{}, {6, 6, 6}, {true, true, true}};
+  request.goal = 0.3;
+  EXPECT_NO_THROW(plan(request));
+  request.start->box->tilt = 2;
+  EXPECT_THROW(plan(request), Error);
 }
 
 TEST(Container, HasItsVolumeAreaAndFreeMotions) {

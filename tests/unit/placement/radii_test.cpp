@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "hardball/errors/error.hpp"
 #include "support/scratch_folder.hpp"
@@ -182,6 +183,42 @@ TEST(DrawRadii, GivesTheSameBitsEverywhere) {
   EXPECT_EQ(hash_of(draw(powerlaw(-2.5, 0.5, 3), 1000)), 0x64132f70e477a33eU);
   EXPECT_EQ(hash_of(draw(powerlaw(2, 0.5, 3), 1000)), 0xd2cb8a6519f99383U);
   EXPECT_EQ(hash_of(draw(discrete({3, 1, 2}, {1, 2, 4}), 1000)), 0x0d8b3b178b17a745U);
+}
+
+TEST(SpreadRadii, EachStandsForAnEqualShareAndTheMeanIsThatOfTheDistribution) {
+  for (const std::size_t count : {1U, 2U, 7U, 500U}) {
+    Random random(3);
+    std::vector<double> radii = spread_radii(between(Kind::uniform, 20, 50), count, random);
+    std::ranges::sort(radii);
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      sum += radii[i];
+      EXPECT_GE(radii[i], 20 + 30.0 * static_cast<double>(i) / static_cast<double>(count) - 1e-12);
+      EXPECT_LE(radii[i], 20 + 30.0 * static_cast<double>(i + 1) / static_cast<double>(count) + 1e-12);
+    }
+    EXPECT_NEAR(sum / static_cast<double>(count), 35, 1e-12);
+  }
+}
+
+// The mean of r^e between 1 and 4, with a = e + 1: a (4^(a + 1) - 1) / ((a + 1) (4^a - 1)).
+TEST(SpreadRadii, PowersHaveTheirMeanWithinTheirRange) {
+  for (const double exponent : {-60.0, -3.0, -2.0, -1.0, -0.5, 0.0, 2.0, 60.0}) {
+    const double a = exponent + 1;
+    double mean = a * (std::pow(4, a + 1) - 1) / ((a + 1) * (std::pow(4, a) - 1));
+    if (a == 0) mean = 3 / std::log(4);
+    if (a == -1) mean = std::log(4) / (1 - 0.25);
+    for (const std::size_t count : {1U, 2U, 3U, 400U}) {
+      Random random(5);
+      const std::vector<double> radii = spread_radii(powerlaw(exponent, 1, 4), count, random);
+      double sum = 0;
+      for (const double radius : radii) {
+        sum += radius;
+        EXPECT_GE(radius, 1);
+        EXPECT_LE(radius, 4);
+      }
+      EXPECT_NEAR(sum / static_cast<double>(count), mean, 1e-11) << exponent << " " << count;
+    }
+  }
 }
 
 }  // namespace
