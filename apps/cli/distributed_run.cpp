@@ -418,7 +418,10 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
     Travelers brought;
     World empty = make_part(
         scenario, [&](SphereId id) { return id % processes.size() == processes.rank(); },
-        [&](const SphereState& state) { brought.push_back({state}); }, progress.part(0, 1));
+        [&](const SphereState& state) { brought.push_back({state}); }, progress.part(0, 1),
+        [&](const std::string& note) {
+          if (processes.is_first()) write_message(note);
+        });
     const EngineOptions engine_options = shared_engine_options(options, scenario, empty);
     DistributedSimulation simulation(processes, std::move(empty), std::move(brought), engine_options);
     if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));

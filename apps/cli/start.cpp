@@ -8,6 +8,7 @@
 
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
+#include "apps/cli/terminal.hpp"
 #include "apps/cli/unit_costs.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
@@ -131,7 +132,7 @@ void set_threads(Simulation& simulation, const Options& options) {
 Start set_up(const Options& options, const Scenario& scenario) {
   constexpr double kWorldMade = 0.5;  // the fraction of the work that this takes
   SetUpProgress progress(!options.quiet);
-  World world = make_world(scenario, progress.part(0, kWorldMade));
+  World world = make_world(scenario, progress.part(0, kWorldMade), write_message);
   const EngineOptions engine_options = read_engine_options(options, scenario, world);
   return {engine_options,
           start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1))};

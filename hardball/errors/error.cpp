@@ -20,6 +20,15 @@ void report_broken_invariant(const char* condition, const char* file, int line) 
                         std::to_string(line) + "); please report it with the scenario that shows it");
 }
 
+std::string shortened(std::string_view text) {
+  constexpr std::size_t kMost = 60;
+  if (text.size() <= kMost) return std::string(text);
+  std::size_t end = kMost - 3;
+  // Not within a character of UTF-8.
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return std::string(text.substr(0, end)) + "...";
+}
+
 std::string to_text(double number) {
   if (std::isnan(number)) return "nan";  // whose sign says nothing
   std::array<char, 32> buffer;

@@ -839,6 +839,25 @@ TEST_F(RefusedStart, NamesTheLineOfTheStartFile) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
+TEST_F(RefusedStart, HasABoxThatIsNotUnderstood) {
+  const std::string columns = " Properties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 0 0 0 0.5\n";
+  expect_refusal(start_from("1\nLattice=\"9 0 0 0 9 0 0 0 9\" pbc=\"yes yes no\"" + columns),
+                 {"start.xyz:2:34: ", "pbc is 'yes'", "T or F"});
+  expect_refusal(start_from("1\nLattice=\"9 0 0 0 9 0 0 0.9\"" + columns), {"start.xyz:2:10: ", "8 values"});
+}
+
+// The run uses the box of the scenario.
+TEST_F(RefusedStart, SaysThatItsBoxIsAnother) {
+  const Outcome outcome = start_from(
+      "1\nLattice=\"9 0 0 0 9 0 0 0 9\" Properties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 0 0 0 0.5\n");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  const std::string note =
+      "hardball: the box of start.xyz, 9 x 9 x 9, periodic along x, y, z, is not that of [box], which is "
+      "used\n";
+  EXPECT_EQ(outcome.messages, note);
+  EXPECT_EQ(run_program(folder_, {"check", "gas.toml"}).messages, note);
+}
+
 TEST_F(RefusedStart, IsNotARegularFile) {
   std::filesystem::create_symlink("/dev/zero", folder_ / "start.xyz");
   expect_refusal(run(), {"start.xyz: ", "not a regular file"});
