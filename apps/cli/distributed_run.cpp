@@ -462,9 +462,9 @@ ExitCode resume_distributed(const Options& options, Processes& processes) {
   }
   DistributedSimulation simulation = loaded(*checkpoint, path, threads_of(options), processes);
   const double time = simulation.time();
-  if (*scenario.until < time || (*scenario.until == time && is_finished(directory))) {
-    throw Error("the run has reached time " + to_text(time), directory.string(),
-                "give a later end with --until");
+  if (is_whole(directory, time, *scenario.until)) {
+    if (processes.is_first()) tell_of_whole_run(directory, time, options);
+    return ExitCode::done;
   }
   DistributedRun run(state.options, scenario, std::move(simulation));
   run.continue_files(directory, files, std::move(measures), state.next_snapshot);

@@ -21,7 +21,6 @@ constexpr std::array<const char*, 5> kTrajectories{"trajectory.xyz", "trajectory
                                                    "trajectory.lammpstrj", "trajectory.pvd"};
 constexpr const char* kEvents = "events.npy";
 constexpr const char* kRecording = "recording.hbr";
-constexpr const char* kSummary = "summary.json";
 constexpr const char* kReport = "report.html";
 constexpr const char* kMeasures = "measures";
 constexpr const char* kQuantities = "quantities.csv";

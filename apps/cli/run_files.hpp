@@ -29,6 +29,8 @@ inline constexpr const char* kCheckpoint = "checkpoint.hbc";
 inline constexpr const char* kCheckpointEnding = ".hbc";
 /// The folder of those that are kept.
 inline constexpr const char* kKeptCheckpoints = "checkpoints";
+/// The summary, which a run writes last.
+inline constexpr const char* kSummary = "summary.json";
 
 /// Error: there is no such checkpoint.
 void require_checkpoint(const std::filesystem::path& checkpoint);
