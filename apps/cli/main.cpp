@@ -4,6 +4,7 @@
 // The program hardball: finds every collision among moving spheres.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -182,6 +183,21 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
                        : suggestion(word, std::vector<std::string_view>(names.begin(), names.end())));
 }
 
+#if !HARDBALL_MPI
+// Error: mpirun has started several copies of a program that does not know of each other. Slurm's variables
+// are no such sign: a job has them, too, where it runs one program after the other.
+void refuse_copies() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    const char* const size = std::getenv(name);
+    if (!size || std::atoi(size) <= 1) continue;
+    throw Error(
+        "mpirun has started " + std::string(size) +
+            " copies of a program that is built without MPI, each of which would run all of the system",
+        name, "use the program that ./dev mpi builds, build/mpi/hardball, or unset " + std::string(name));
+  }
+}
+#endif
+
 // `processes`: if there are several.
 ExitCode parse_and_run(int argument_count, char** arguments, Processes* processes) {
   Options options;
@@ -281,6 +297,9 @@ ExitCode parse_and_run(int argument_count, char** arguments, Processes* processe
     throw Error("several processes have only the commands run and resume", "command line",
                 "start it without mpirun");
   }
+#if !HARDBALL_MPI
+  if (chosen.empty() || *run_command || *resume_command) refuse_copies();
+#endif
   if (*resume_command) return resume(options);
   if (*verify_command) return verify(options);
   if (*check_command) return check(options);
