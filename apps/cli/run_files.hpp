@@ -69,9 +69,9 @@ struct FilesState {
 class RunFiles {
  public:
   /// Creates the directory, if necessary, and the files. Files of an earlier run are removed if `overwrites`.
-  /// Error: that is impossible; there are files of an earlier run, and they are not to be removed; the
-  /// scenario starts from a file that would be; then nothing created remains. `simulation`: of which a
-  /// recording begins; without a recording it may be missing.
+  /// Error: that is impossible; one of them is a symbolic link; there are files of an earlier run, and they
+  /// are not to be removed; the scenario starts from a file that would be; then nothing created remains.
+  /// `simulation`: of which a recording begins; without a recording it may be missing.
   RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation* simulation,
            bool overwrites);
 
