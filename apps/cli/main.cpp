@@ -167,7 +167,7 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
   const std::string word = leftovers.front().substr(0, leftovers.front().find('='));
   std::vector<std::string> names;
   if (command && !word.starts_with('-')) {
-    throw Error("unexpected argument '" + word + "'", "command line",
+    throw Error("unexpected argument '" + shortened(word) + "'", "command line",
                 "see hardball " + command->get_name() + " --help");
   }
   if (command) {
@@ -178,7 +178,8 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
     for (const CLI::App* each : app.get_subcommands(nullptr)) names.push_back(each->get_name());
   }
   const bool is_known = std::find(names.begin(), names.end(), word) != names.end();
-  throw Error(std::string("unknown ") + (command ? "option" : "command") + " '" + word + "'", "command line",
+  throw Error(std::string("unknown ") + (command ? "option" : "command") + " '" + shortened(word) + "'",
+              "command line",
               is_known ? "write it after the command"
                        : suggestion(word, std::vector<std::string_view>(names.begin(), names.end())));
 }

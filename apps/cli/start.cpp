@@ -35,7 +35,7 @@ std::size_t choose(const std::string& text, std::span<const std::string_view> na
     if (text == names[i]) return i;
     all += (i == 0 ? "" : ", ") + std::string(names[i]);
   }
-  throw Error("unknown value '" + text + "'", option, "choose one of " + all);
+  throw Error("unknown value '" + shortened(text) + "'", option, "choose one of " + all);
 }
 
 // Whether the run will be so long that measuring takes less than a hundredth of it.

@@ -112,7 +112,8 @@ void read_start(const Section& root, Scenario& scenario) {
     try {
       format_of(*scenario.start_file);
     } catch (const Error& error) {
-      throw Error("file is \"" + file.text() + "\", and " + error.problem(), file.location(), error.remedy());
+      throw Error("file is \"" + shortened(file.text()) + "\", and " + error.problem(), file.location(),
+                  error.remedy());
     }
     read_start_velocities(*start, scenario);
     return;
