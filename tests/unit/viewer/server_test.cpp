@@ -9,6 +9,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <barrier>
 #include <cerrno>
@@ -402,8 +403,13 @@ TEST_F(ServerTest, LetsTheOwnerInBesideManyStrangers) {
   const auto answer = get("/api/header");
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->status, 200);
-  EXPECT_EQ(strangers.front()->hear_all(), "") << "the first gives way";
-  EXPECT_TRUE(strangers.back()->is_waiting());
+  const auto waiting = [&] {
+    return std::ranges::count_if(strangers, [](const auto& stranger) { return stranger->is_waiting(); });
+  };
+  for (int i = 0; i < 60'000 && waiting() > 20; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_LE(waiting(), 20) << "those that came first give way";
+  EXPECT_GT(waiting(), 0);
 }
 
 TEST_F(ServerTest, EndsWithAllConnections) {
