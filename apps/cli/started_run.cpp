@@ -215,8 +215,8 @@ void tell_of_whole_run(const std::filesystem::path& directory, double time, cons
                 "; --until gives a later one");
 }
 
-std::optional<StartedRun> resumed_run(const std::filesystem::path& directory, const std::filesystem::path& checkpoint,
-                       const Options& options) {
+std::optional<StartedRun> resumed_run(const std::filesystem::path& directory,
+                                      const std::filesystem::path& checkpoint, const Options& options) {
   require_checkpoint(checkpoint);
   std::map<std::string, std::string> sections = read_checkpoint_file(checkpoint);
   const auto restored = [&](const std::string& section, auto&... objects) {

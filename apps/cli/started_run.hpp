@@ -63,7 +63,7 @@ void tell_of_whole_run(const std::filesystem::path& directory, double time, cons
 /// The run that has written a checkpoint into a directory, with its files truncated to then; nothing if it is
 /// whole, which this says. `until` [T] replaces the end of the run. Error: the checkpoint is missing or
 /// damaged, or the files are; the run has gone beyond its end; another run is writing to the directory.
-std::optional<StartedRun> resumed_run(const std::filesystem::path& directory, const std::filesystem::path& checkpoint,
-                       const Options& options);
+std::optional<StartedRun> resumed_run(const std::filesystem::path& directory,
+                                      const std::filesystem::path& checkpoint, const Options& options);
 
 }  // namespace hardball::cli

@@ -98,8 +98,9 @@ TEST_F(Resume, AWholeRunHasNothingToDo) {
     const Outcome outcome = run_program(folder_, arguments);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.output, "");
-    EXPECT_EQ(outcome.messages,
-              "hardball: out: the run is whole: it has reached its end at time 5; --until gives a later one\n");
+    EXPECT_EQ(
+        outcome.messages,
+        "hardball: out: the run is whole: it has reached its end at time 5; --until gives a later one\n");
   }
   EXPECT_EQ(run({"resume", "out"}), whole);
   EXPECT_EQ(json::parse(read_text(folder_ / "out/summary.json")), whole);
