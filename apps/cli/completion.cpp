@@ -227,7 +227,7 @@ ExitCode print_completion(const Options& options, const CLI::App& program) {
   } else if (options.shell == "fish") {
     write_output(fish_script(all));
   } else {
-    throw Error("there is no completion for '" + options.shell + "'", "command line",
+    throw Error("there is no completion for '" + shortened(options.shell) + "'", "command line",
                 "choose one of bash, zsh, fish");
   }
   return ExitCode::done;

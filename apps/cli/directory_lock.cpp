@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/open_output.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -28,9 +29,10 @@ bool is_named(int file, const std::filesystem::path& path) {
 
 DirectoryLock::DirectoryLock(const std::filesystem::path& directory) : path_(directory / "run.lock") {
   constexpr mode_t kReadableByAll = 0644;
+  refuse_link(path_);
   do {
     if (file_ >= 0) close(file_);
-    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kReadableByAll);
+    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, kReadableByAll);
     if (file_ < 0) {
       throw Error(std::string("cannot be written to: ") + std::strerror(errno), directory.string(),
                   "name another directory for the output");

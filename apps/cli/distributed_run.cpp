@@ -27,6 +27,7 @@
 #include "hardball/distributed/distributed_simulation.hpp"
 #include "hardball/distributed/in_all.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/io/read_file.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/scenario/make_world.hpp"
 
@@ -101,6 +102,31 @@ DistributedSimulation loaded(CheckpointReader& checkpoint, const std::filesystem
     blocks = read_blocks(checkpoint, processes.rank(), processes.size());
   });
   return DistributedSimulation::load(processes, state, blocks, threads, path.string());
+}
+
+// The contents of the files that a scenario names.
+std::string named_files(const Scenario& scenario) {
+  std::string contents;
+  const auto add = [&](const std::filesystem::path& file) { contents += archived(read_file(file)); };
+  if (scenario.start_file) add(*scenario.start_file);
+  for (const SphereGroup& group : scenario.spheres) {
+    if (group.distribution && !group.distribution->file.empty()) add(group.distribution->file);
+  }
+  for (const auto& bond : scenario.bonds) {
+    if (bond.file) add(*bond.file);
+  }
+  return contents;
+}
+
+// The scenario, which each process reads by itself: perhaps from the disk of another machine.
+Scenario shared_scenario(Processes& processes, const Options& options) {
+  Scenario scenario;
+  std::string files;
+  in_all(processes, [&] { scenario = read_scenario(options); });
+  require_same(processes, scenario.text, "scenario");
+  in_all(processes, [&] { files = named_files(scenario); });
+  require_same(processes, files, "start file, or other file that the scenario names,");
+  return scenario;
 }
 
 // A run between its start, or a checkpoint, and its end. Files are in the first process alone.
@@ -405,7 +431,7 @@ class DistributedRun {
 ExitCode run_distributed(const Options& options, Processes& processes) {
   const Clock::time_point begin = Clock::now();
   catch_signals();
-  Scenario scenario = read_scenario(options);
+  Scenario scenario = shared_scenario(processes, options);
   check_can_be_shared(scenario);
   // Those that a run has by default: with measures the first process has to hold all spheres.
   const std::vector<std::string>& names = scenario.measures.names;
@@ -418,7 +444,10 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
     Travelers brought;
     World empty = make_part(
         scenario, [&](SphereId id) { return id % processes.size() == processes.rank(); },
-        [&](const SphereState& state) { brought.push_back({state}); }, progress.part(0, 1));
+        [&](const SphereState& state) { brought.push_back({state}); }, progress.part(0, 1),
+        [&](const std::string& note) {
+          if (processes.is_first()) write_message(note);
+        });
     const EngineOptions engine_options = shared_engine_options(options, scenario, empty);
     DistributedSimulation simulation(processes, std::move(empty), std::move(brought), engine_options);
     if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
@@ -447,6 +476,9 @@ ExitCode resume_distributed(const Options& options, Processes& processes) {
     restore(checkpoint->section("files"), path.string(), files);
     restore(checkpoint->section("measures"), path.string(), measures);
   });
+  require_same(processes,
+               checkpoint->section("run") + checkpoint->section("files") + checkpoint->section("measures"),
+               "checkpoint");
   if (options.until) state.options.until = options.until;
   state.options.json = options.json;
   state.options.quiet = options.quiet;
@@ -459,9 +491,9 @@ ExitCode resume_distributed(const Options& options, Processes& processes) {
   }
   DistributedSimulation simulation = loaded(*checkpoint, path, threads_of(options), processes);
   const double time = simulation.time();
-  if (*scenario.until < time || (*scenario.until == time && is_finished(directory))) {
-    throw Error("the run has reached time " + to_text(time), directory.string(),
-                "give a later end with --until");
+  if (is_whole(directory, time, *scenario.until)) {
+    if (processes.is_first()) tell_of_whole_run(directory, time, options);
+    return ExitCode::done;
   }
   DistributedRun run(state.options, scenario, std::move(simulation));
   run.continue_files(directory, files, std::move(measures), state.next_snapshot);

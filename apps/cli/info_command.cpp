@@ -47,19 +47,6 @@ std::string heading(const std::filesystem::path& path, std::string_view what) {
   return path.string() + ": " + std::string(what) + (unknown ? "" : ", " + to_text(bytes) + " bytes") + "\n";
 }
 
-std::string box_text(const SnapshotBox& box) {
-  const std::size_t dimensions = box.is_flat ? kAxes - 1 : kAxes;
-  std::string size;
-  std::string periodic;
-  for (std::size_t axis = 0; axis < dimensions; ++axis) {
-    size += (axis == 0 ? "" : " x ") + to_text(box.size[axis]);
-    if (box.is_periodic[axis]) periodic += (periodic.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
-  }
-  return size + (periodic.empty() ? ", not periodic" : ", periodic along " + periodic) +
-         (box.tilt == 0 ? "" : ", tilted by " + to_text(box.tilt)) +
-         (box.is_unbounded ? ", unbounded: it spans the spheres" : "");
-}
-
 std::string about_snapshots(const std::filesystem::path& path) {
   const std::unique_ptr<SnapshotReader> reader = open_snapshots(path);
   const Snapshot first = reader->read(0);
@@ -68,7 +55,7 @@ std::string about_snapshots(const std::filesystem::path& path) {
   text += line("frames", to_text(reader->frames()));
   text += line("spheres", range(to_text(first.spheres.size()), to_text(last.spheres.size())));
   if (first.time && last.time) text += line("time", range(to_text(*first.time), to_text(*last.time)));
-  if (last.box) text += line("box", box_text(*last.box));
+  if (last.box) text += line("box", text_of(*last.box));
   std::string contents = "positions, radii";
   if (last.has_velocities) contents += ", velocities";
   if (last.has_spins) contents += ", spins";

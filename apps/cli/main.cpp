@@ -4,6 +4,7 @@
 // The program hardball: finds every collision among moving spheres.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -21,6 +22,7 @@
 #include "hardball/scenario/schema.hpp"
 #if HARDBALL_MPI
 #include "apps/mpi/mpi_processes.hpp"
+#include "hardball/distributed/in_all.hpp"
 #endif
 
 namespace hardball::cli {
@@ -170,7 +172,7 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
   const std::string word = leftovers.front().substr(0, leftovers.front().find('='));
   std::vector<std::string> names;
   if (command && !word.starts_with('-')) {
-    throw Error("unexpected argument '" + word + "'", "command line",
+    throw Error("unexpected argument '" + shortened(word) + "'", "command line",
                 "see hardball " + command->get_name() + " --help");
   }
   if (command) {
@@ -181,10 +183,26 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
     for (const CLI::App* each : app.get_subcommands(nullptr)) names.push_back(each->get_name());
   }
   const bool is_known = std::find(names.begin(), names.end(), word) != names.end();
-  throw Error(std::string("unknown ") + (command ? "option" : "command") + " '" + word + "'", "command line",
+  throw Error(std::string("unknown ") + (command ? "option" : "command") + " '" + shortened(word) + "'",
+              "command line",
               is_known ? "write it after the command"
                        : suggestion(word, std::vector<std::string_view>(names.begin(), names.end())));
 }
+
+#if !HARDBALL_MPI
+// Error: mpirun has started several copies of a program that does not know of each other. Slurm's variables
+// are no such sign: a job has them, too, where it runs one program after the other.
+void refuse_copies() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    const char* const size = std::getenv(name);
+    if (!size || std::atoi(size) <= 1) continue;
+    throw Error(
+        "mpirun has started " + std::string(size) +
+            " copies of a program that is built without MPI, each of which would run all of the system",
+        name, "use the program that ./dev mpi builds, build/mpi/hardball, or unset " + std::string(name));
+  }
+}
+#endif
 
 // `processes`: if there are several.
 ExitCode parse_and_run(int argument_count, char** arguments, Processes* processes) {
@@ -285,6 +303,9 @@ ExitCode parse_and_run(int argument_count, char** arguments, Processes* processe
     throw Error("several processes have only the commands run and resume", "command line",
                 "start it without mpirun");
   }
+#if !HARDBALL_MPI
+  if (chosen.empty() || *run_command || *resume_command) refuse_copies();
+#endif
   if (*resume_command) return resume(options);
   if (*verify_command) return verify(options);
   if (*check_command) return check(options);
@@ -301,34 +322,51 @@ ExitCode parse_and_run(int argument_count, char** arguments, Processes* processe
   return run(options);
 }
 
-// The exit code of the program; messages about failures are written if wanted. Only those of which all
-// processes hear are not passed on.
-ExitCode run_program(int argument_count, char** arguments, Processes* processes, bool writes_messages) {
+// How the program ends: its exit code and, if it has failed, the message.
+struct End {
+  ExitCode code = ExitCode::done;
+  std::string message = {};
+};
+
+End run_program(int argument_count, char** arguments, Processes* processes) {
   try {
-    return parse_and_run(argument_count, arguments, processes);
+    return {parse_and_run(argument_count, arguments, processes)};
   } catch (const Error& error) {
-    if (writes_messages) write_message(error.what());
-    return ExitCode::bad_input;
+    return {ExitCode::bad_input, error.what()};
   } catch (const RunFailure& failure) {
-    if (writes_messages) write_message(failure.what());
-    return ExitCode::failed;
+    return {ExitCode::failed, failure.what()};
+  } catch (const std::bad_alloc&) {
+    return {ExitCode::failed, "there is not enough memory"};
+  } catch (const std::exception& error) {
+    return {ExitCode::failed, error.what()};
   }
+}
+
+ExitCode run_alone(int argument_count, char** arguments) {
+  const End end = run_program(argument_count, arguments, nullptr);
+  if (!end.message.empty()) write_message(end.message);
+  return end.code;
 }
 
 #if HARDBALL_MPI
 ExitCode run_in_processes(int argument_count, char** arguments) {
   MpiProcesses processes;
-  if (processes.size() == 1) return run_program(argument_count, arguments, nullptr, true);
-  const std::string who = "process " + to_text(processes.rank()) + ": ";
+  if (processes.size() == 1) return run_alone(argument_count, arguments);
+  std::string line;
+  for (int i = 1; i < argument_count; ++i) line += std::string(arguments[i]) + '\0';
+  End end;
   try {
-    return run_program(argument_count, arguments, &processes, processes.is_first());
-  } catch (const std::bad_alloc&) {
-    write_message(who + "there is not enough memory");
-  } catch (const std::exception& error) {
-    write_message(who + error.what());
+    require_same(processes, line, "command line");
+    end = run_program(argument_count, arguments, &processes);
+  } catch (const Error& error) {
+    end = {ExitCode::bad_input, error.what()};
   }
-  // The others would wait forever.
-  processes.abort(static_cast<int>(ExitCode::failed));
+  // Where one process fails alone, the others would wait for it forever.
+  const bool is_alike = end.message.empty() || processes.do_all_end();
+  if (is_alike && processes.is_first() && !end.message.empty()) write_message(end.message);
+  if (is_alike) return end.code;
+  write_message("process " + to_text(processes.rank()) + ": " + end.message);
+  processes.abort(static_cast<int>(end.code));
 }
 #endif
 
@@ -338,17 +376,15 @@ ExitCode run_in_processes(int argument_count, char** arguments) {
 int main(int argument_count, char** arguments) {
   using namespace hardball;
   cli::secure_streams();
-  cli::ExitCode code = cli::ExitCode::failed;
-  try {
 #if HARDBALL_MPI
-    if (MpiProcesses::may_be_several())
+  if (MpiProcesses::may_be_several()) {
+    try {
       return static_cast<int>(cli::run_in_processes(argument_count, arguments));
-#endif
-    code = cli::run_program(argument_count, arguments, nullptr, true);
-  } catch (const std::bad_alloc&) {
-    cli::write_message("there is not enough memory");
-  } catch (const std::exception& error) {
-    cli::write_message(error.what());
+    } catch (const std::exception& error) {
+      cli::write_message(error.what());
+      return static_cast<int>(cli::ExitCode::failed);
+    }
   }
-  return static_cast<int>(code);
+#endif
+  return static_cast<int>(cli::run_alone(argument_count, arguments));
 }

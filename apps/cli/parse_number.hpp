@@ -15,7 +15,7 @@ Number parse_number(const std::string& text, const std::string& option, const st
   Number number{};
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (status == std::errc() && end == text.data() + text.size()) return number;
-  throw Error("'" + text + "' is not accepted", option, remedy);
+  throw Error("'" + shortened(text) + "' is not accepted", option, remedy);
 }
 
 }  // namespace hardball::cli

@@ -5,10 +5,12 @@
 #include <system_error>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/open_output.hpp"
 
 namespace hardball::cli {
 
 void refuse_to_overwrite(const std::filesystem::path& file, const Options& options) {
+  refuse_link(file);
   std::error_code missing;
   if (options.overwrite || !std::filesystem::is_regular_file(file, missing)) return;
   throw Error("the file exists already", file.string(), "name another file, or replace it with --overwrite");

@@ -11,8 +11,8 @@ namespace hardball::cli {
 ExitCode resume(const Options& options) {
   catch_signals();
   const std::filesystem::path directory = options.scenario;
-  StartedRun run = resumed_run(directory, directory / options.checkpoint.value_or(kCheckpoint), options);
-  return carry_out(run);
+  auto run = resumed_run(directory, directory / options.checkpoint.value_or(kCheckpoint), options);
+  return run ? carry_out(*run) : ExitCode::done;
 }
 
 }  // namespace hardball::cli

@@ -10,6 +10,7 @@
 #include "apps/cli/begin_recording.hpp"
 #include "apps/cli/directory.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/io/open_output.hpp"
 #include "hardball/io/replace_file.hpp"
 #include "hardball/measure/csv.hpp"
 
@@ -19,9 +20,9 @@ namespace {
 // In the order of SnapshotFormat.
 constexpr std::array<const char*, 5> kTrajectories{"trajectory.xyz", "trajectory.xyz.zst", "trajectory.gsd",
                                                    "trajectory.lammpstrj", "trajectory.pvd"};
+constexpr const char* kFrames = "trajectory";  // those of trajectory.pvd
 constexpr const char* kEvents = "events.npy";
 constexpr const char* kRecording = "recording.hbr";
-constexpr const char* kSummary = "summary.json";
 constexpr const char* kReport = "report.html";
 constexpr const char* kMeasures = "measures";
 constexpr const char* kQuantities = "quantities.csv";
@@ -152,8 +153,10 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
     if (!overwrites) refuse_files_of_a_run(directory);
     std::vector<const char*> names(kTrajectories.begin(), kTrajectories.end());
     names.insert(names.end(), {kEvents, kRecording, kSummary, kReport, kCheckpoint});
+    for (const char* name : {kMeasures, kKeptCheckpoints, kFrames}) refuse_link(directory / name);
     for (const char* name : names) {
       const std::filesystem::path path = directory / name;
+      refuse_link(path);
       if (std::filesystem::is_directory(path)) {
         throw Error("is a directory", path.string(), "name another directory for the output");
       }

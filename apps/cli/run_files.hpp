@@ -29,6 +29,8 @@ inline constexpr const char* kCheckpoint = "checkpoint.hbc";
 inline constexpr const char* kCheckpointEnding = ".hbc";
 /// The folder of those that are kept.
 inline constexpr const char* kKeptCheckpoints = "checkpoints";
+/// The summary, which a run writes last.
+inline constexpr const char* kSummary = "summary.json";
 
 /// Error: there is no such checkpoint.
 void require_checkpoint(const std::filesystem::path& checkpoint);
@@ -67,9 +69,9 @@ struct FilesState {
 class RunFiles {
  public:
   /// Creates the directory, if necessary, and the files. Files of an earlier run are removed if `overwrites`.
-  /// Error: that is impossible; there are files of an earlier run, and they are not to be removed; the
-  /// scenario starts from a file that would be; then nothing created remains. `simulation`: of which a
-  /// recording begins; without a recording it may be missing.
+  /// Error: that is impossible; one of them is a symbolic link; there are files of an earlier run, and they
+  /// are not to be removed; the scenario starts from a file that would be; then nothing created remains.
+  /// `simulation`: of which a recording begins; without a recording it may be missing.
   RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation* simulation,
            bool overwrites);
 

@@ -8,6 +8,7 @@
 
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
+#include "apps/cli/terminal.hpp"
 #include "apps/cli/unit_costs.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
@@ -34,7 +35,7 @@ std::size_t choose(const std::string& text, std::span<const std::string_view> na
     if (text == names[i]) return i;
     all += (i == 0 ? "" : ", ") + std::string(names[i]);
   }
-  throw Error("unknown value '" + text + "'", option, "choose one of " + all);
+  throw Error("unknown value '" + shortened(text) + "'", option, "choose one of " + all);
 }
 
 // Whether the run will be so long that measuring takes less than a hundredth of it.
@@ -131,7 +132,7 @@ void set_threads(Simulation& simulation, const Options& options) {
 Start set_up(const Options& options, const Scenario& scenario) {
   constexpr double kWorldMade = 0.5;  // the fraction of the work that this takes
   SetUpProgress progress(!options.quiet);
-  World world = make_world(scenario, progress.part(0, kWorldMade));
+  World world = make_world(scenario, progress.part(0, kWorldMade), write_message);
   const EngineOptions engine_options = read_engine_options(options, scenario, world);
   return {engine_options,
           start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1))};

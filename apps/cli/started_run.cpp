@@ -200,8 +200,23 @@ void write_checkpoint(StartedRun& run, const std::filesystem::path& path) {
   write_checkpoint_file(path, sections);
 }
 
-StartedRun resumed_run(const std::filesystem::path& directory, const std::filesystem::path& checkpoint,
-                       const Options& options) {
+bool is_whole(const std::filesystem::path& directory, double time, double until) {
+  if (time > until) {
+    throw Error("the run has reached time " + to_text(time) + ", later than its end at " + to_text(until),
+                directory.string(), "give a later end with --until");
+  }
+  return time == until && is_finished(directory);
+}
+
+void tell_of_whole_run(const std::filesystem::path& directory, double time, const Options& options) {
+  if (options.json) write_output(read_file(directory / kSummary));
+  if (options.quiet) return;
+  write_message(directory.string() + ": the run is whole: it has reached its end at time " + to_text(time) +
+                "; --until gives a later one");
+}
+
+std::optional<StartedRun> resumed_run(const std::filesystem::path& directory,
+                                      const std::filesystem::path& checkpoint, const Options& options) {
   require_checkpoint(checkpoint);
   std::map<std::string, std::string> sections = read_checkpoint_file(checkpoint);
   const auto restored = [&](const std::string& section, auto&... objects) {
@@ -219,9 +234,9 @@ StartedRun resumed_run(const std::filesystem::path& directory, const std::filesy
   set_threads(simulation, options);
   state.seconds.setup += seconds_since(begin);
   const double time = simulation.time();
-  if (*scenario.until < time || (*scenario.until == time && is_finished(directory))) {
-    throw Error("the run has reached time " + to_text(time), directory.string(),
-                "give a later end with --until");
+  if (is_whole(directory, time, *scenario.until)) {
+    tell_of_whole_run(directory, time, options);
+    return std::nullopt;
   }
   Measures measures;
   FilesState files;

@@ -53,10 +53,17 @@ ExitCode carry_out(StartedRun& run);
 /// cannot be written; the one before is kept.
 void write_checkpoint(StartedRun& run, const std::filesystem::path& path);
 
-/// The run that has written a checkpoint into a directory, with its files truncated to then. `until` [T]
-/// replaces the end of the run. Error: the checkpoint is missing or damaged, or the files are; the run has
-/// reached its end; another run is writing to the directory.
-StartedRun resumed_run(const std::filesystem::path& directory, const std::filesystem::path& checkpoint,
-                       const Options& options);
+/// Whether a run that has reached `time` [T] and is to end at `until` [T] is whole, files included. Error: it
+/// has gone further.
+bool is_whole(const std::filesystem::path& directory, double time, double until);
+
+/// Says that the run in a directory is whole; with --json, writes its summary to the standard output.
+void tell_of_whole_run(const std::filesystem::path& directory, double time, const Options& options);
+
+/// The run that has written a checkpoint into a directory, with its files truncated to then; nothing if it is
+/// whole, which this says. `until` [T] replaces the end of the run. Error: the checkpoint is missing or
+/// damaged, or the files are; the run has gone beyond its end; another run is writing to the directory.
+std::optional<StartedRun> resumed_run(const std::filesystem::path& directory,
+                                      const std::filesystem::path& checkpoint, const Options& options);
 
 }  // namespace hardball::cli

@@ -54,14 +54,15 @@ UnitCosts read_unit_costs(const std::string& text) {
     const auto named = std::find_if(kCosts.begin(), kCosts.end(), [&](const NamedCost& each) {
       return each.name == item.substr(0, equals);
     });
-    if (named == kCosts.end() || equals == item.size()) refuse("'" + item + "' is not a unit cost");
+    if (named == kCosts.end() || equals == item.size())
+      refuse("'" + shortened(item) + "' is not a unit cost");
     const double cost = parse_number<double>(item.substr(equals + 1), kOption, remedy());
-    if (!(cost >= 0) || !std::isfinite(cost)) refuse("'" + item + "' is negative or infinite");
+    if (!(cost >= 0) || !std::isfinite(cost)) refuse("'" + shortened(item) + "' is negative or infinite");
     costs.*named->cost = cost;
     given[static_cast<std::size_t>(named - kCosts.begin())] = true;
   }
   if (std::find(given.begin(), given.end(), false) != given.end())
-    refuse("'" + text + "' are not all unit costs");
+    refuse("'" + shortened(text) + "' are not all unit costs");
   if (costs.enter + costs.cell <= 0 || costs.prediction <= 0)
     refuse("if crossings or predictions cost nothing, there is no best cell edge");
   return costs;

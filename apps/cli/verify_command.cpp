@@ -68,7 +68,8 @@ VerifiedRun run_with(const Scenario& scenario, const World& start, const EngineO
 // Runs a scenario in several ways, compares each with the first, and prints a table.
 class Comparison {
  public:
-  explicit Comparison(const Scenario& scenario) : scenario_(scenario), start_(make_world(scenario)) {
+  explicit Comparison(const Scenario& scenario)
+      : scenario_(scenario), start_(make_world(scenario, {}, write_message)) {
     write_output(fmt::format("{:<22}{:>16}{:>12}{:>9}{:>13}{:>9}\n", "run", "event log hash", "collisions",
                              "overlap", "final state", "seconds"));
   }

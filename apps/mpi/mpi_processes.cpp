@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 #include "hardball/errors/error.hpp"
 
@@ -49,6 +51,11 @@ void wait_for(std::vector<MPI_Request>& requests) {
 
 }  // namespace
 
+// The communicator of those that end, where no message of a run can be waited for.
+struct MpiProcesses::AtEnd {
+  MPI_Comm communicator = MPI_COMM_NULL;
+};
+
 bool MpiProcesses::may_be_several() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
     if (const char* const size = std::getenv(name)) return std::atoi(size) > 1;
@@ -62,6 +69,8 @@ MpiProcesses::MpiProcesses() {
   if (provided < MPI_THREAD_FUNNELED) throw RunFailure("this MPI does not allow threads");
   // Otherwise MPI itself would end the program where it fails.
   MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
+  at_end_ = std::make_unique<AtEnd>();
+  require_success(MPI_Comm_dup(MPI_COMM_WORLD, &at_end_->communicator), "start");
   int rank = 0;
   int size = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -71,6 +80,7 @@ MpiProcesses::MpiProcesses() {
 }
 
 MpiProcesses::~MpiProcesses() {
+  MPI_Comm_free(&at_end_->communicator);
   MPI_Finalize();
 }
 
@@ -100,6 +110,20 @@ std::vector<std::string> MpiProcesses::exchange(std::span<const std::size_t> pee
   }
   wait_for(requests);
   return incoming;
+}
+
+bool MpiProcesses::do_all_end() {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds kPatience{5};
+  MPI_Request request{};
+  if (MPI_Ibarrier(at_end_->communicator, &request) != MPI_SUCCESS) return false;
+  for (const Clock::time_point deadline = Clock::now() + kPatience; Clock::now() < deadline;) {
+    int is_complete = 0;
+    if (MPI_Test(&request, &is_complete, MPI_STATUS_IGNORE) != MPI_SUCCESS) return false;
+    if (is_complete != 0) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
 }
 
 void MpiProcesses::abort(int code) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,12 +32,18 @@ class MpiProcesses final : public Processes {
   std::size_t size() const override { return size_; }
   std::vector<std::string> exchange(std::span<const std::size_t> peers,
                                     std::span<const std::string> outgoing) override;
+  /// Whether all processes call this, each within some seconds of the others. It may be called while others
+  /// wait for messages of this one.
+  bool do_all_end();
   /// Ends all processes at once, with this exit code, as one cannot go on.
   [[noreturn]] void abort(int code);
 
  private:
   void gather_bytes(const void* own, std::size_t bytes, void* all) override;
 
+  struct AtEnd;
+
+  std::unique_ptr<AtEnd> at_end_;
   std::size_t rank_ = 0;
   std::size_t size_ = 1;
 };

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/viewer/connection_threads.hpp"
+#include "apps/viewer/guarded_server.hpp"
 #include "apps/viewer/replay.hpp"
 #include "apps/viewer/token.hpp"
 #include "hardball/errors/error.hpp"
@@ -26,6 +27,8 @@ constexpr const char* kHost = "127.0.0.1";
 
 // Fewer than the files that a process may usually open.
 constexpr std::size_t kMaxConnections = 512;
+
+constexpr std::string_view kTokenKey = "token=";
 
 constexpr std::size_t kPieceBytes = 1 << 16;
 
@@ -126,13 +129,17 @@ std::string file_name(const RecordingHeader& header) {
 
 }  // namespace
 
-Server::Server(const SharedRecording& recording, const Page& page, int port, std::chrono::seconds patience)
+Server::Server(const SharedRecording& recording, const Page& page, int port, const ClientLimits& limits)
     : recording_(&recording),
       page_(page),
       token_(make_token()),
       index_(with_token(page, token_)),
-      server_(std::make_unique<httplib::Server>()) {
-  set_rules(patience);
+      server_(std::make_unique<GuardedServer>(limits, [this](std::string_view line) {
+        const std::size_t begin = line.find(kTokenKey);
+        return begin != std::string_view::npos &&
+               is_same_secret(line.substr(begin + kTokenKey.size(), token_.size()), token_);
+      })) {
+  set_rules();
   add_page();
   add_recording();
   if (port == 0) {
@@ -153,6 +160,7 @@ Server::Server(const SharedRecording& recording, const Page& page, int port, std
 }
 
 Server::~Server() {
+  server_->end_connections();
   server_->stop();
   thread_.join();
 }
@@ -161,13 +169,8 @@ std::string Server::url() const {
   return "http://" + std::string(kHost) + ":" + to_text(port_) + "/?token=" + token_;
 }
 
-void Server::set_rules(std::chrono::seconds patience) {
+void Server::set_rules() {
   server_->new_task_queue = [] { return new ConnectionThreads(kMaxConnections); };
-  // Clients that send nothing, read nothing or have gone release their thread soon.
-  server_->set_keep_alive_max_count(1000);
-  server_->set_keep_alive_timeout(1);
-  server_->set_read_timeout(patience);
-  server_->set_write_timeout(patience);
   server_->set_payload_max_length(0);
   // The library would let two programs share one port.
   server_->set_socket_options([this](socket_t socket) {

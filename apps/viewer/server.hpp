@@ -2,21 +2,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <string>
 #include <thread>
 
+#include "apps/viewer/client_limits.hpp"
 #include "apps/viewer/page.hpp"
 #include "apps/viewer/shared_recording.hpp"
 
 namespace httplib {
-class Server;
 struct Request;
 struct Response;
 }  // namespace httplib
 
 namespace hardball::viewer {
+
+class GuardedServer;
 
 /// Serves a recording to browsers on this machine, from its own threads.
 ///
@@ -24,12 +25,10 @@ namespace hardball::viewer {
 /// the page and the recording, nothing else, and changes nothing. docs/viewer.md describes the protocol.
 class Server {
  public:
-  /// Starts serving at `port`, or at any free one if it is zero. A client that reads nothing, or
-  /// stays within a request, for longer than `patience` is dropped. `recording` and what `page` refers to
-  /// must outlive the server. Error: the port is taken.
-  Server(const SharedRecording& recording, const Page& page, int port = 0,
-         std::chrono::seconds patience = std::chrono::seconds(5));
-  /// Ends all responses in progress, which takes no longer than `patience`.
+  /// Starts serving at `port`, or at any free one if it is zero, within these limits. `recording` and what
+  /// `page` refers to must outlive the server. Error: the port is taken.
+  Server(const SharedRecording& recording, const Page& page, int port = 0, const ClientLimits& limits = {});
+  /// Ends all connections.
   ~Server();
   Server(const Server&) = delete;
 
@@ -39,7 +38,7 @@ class Server {
   std::string url() const;
 
  private:
-  void set_rules(std::chrono::seconds patience);
+  void set_rules();
   void add_page();
   void add_recording();
   // If false, the response says why.
@@ -49,7 +48,7 @@ class Server {
   Page page_;
   std::string token_;
   std::string index_;
-  std::unique_ptr<httplib::Server> server_;
+  std::unique_ptr<GuardedServer> server_;
   int socket_ = -1;  // at which it listens
   int port_ = 0;
   std::thread thread_;

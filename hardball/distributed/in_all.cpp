@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/io/checksum.hpp"
 
 namespace hardball {
 namespace {
@@ -42,6 +44,15 @@ void in_first(Processes& processes, const Function<void()>& work) {
   in_all(processes, [&] {
     if (processes.is_first()) work();
   });
+}
+
+void require_same(Processes& processes, const std::string& bytes, const std::string& what) {
+  const std::vector<std::uint64_t> sums = processes.gather(checksum_of(bytes));
+  for (std::size_t process = 1; process < sums.size(); ++process) {
+    if (sums[process] == sums[0]) continue;
+    throw Error("process " + to_text(process) + " has another " + what + " than process 0",
+                "several processes", "give all processes the same, on a common file system, say");
+  }
 }
 
 }  // namespace hardball

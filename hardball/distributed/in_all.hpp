@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "hardball/memory/function.hpp"
 #include "hardball/processes/processes.hpp"
 
@@ -13,5 +15,9 @@ void in_all(Processes& processes, const Function<void()>& work);
 
 /// The same for what only the first process does.
 void in_first(Processes& processes, const Function<void()>& work);
+
+/// Error, in all processes: one of them has other bytes than the first. `what` names them in the message, as
+/// in "another scenario"; the remedy is to give all processes the same.
+void require_same(Processes& processes, const std::string& bytes, const std::string& what);
 
 }  // namespace hardball

@@ -4,14 +4,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/time.hpp"
 
 namespace hardball {
 
-/// Detects a run without end at one time. Events up to a time include all with the same nearest double; at a
-/// time some 10^20 times as large as the intervals between events these are too many.
+/// Detects a run without end at one time: spheres that touch, locked among others, push each other for ever;
+/// and events up to a time include all with the same nearest double, which are too many at a time some 10^20
+/// times as large as the intervals between events.
 class StandstillGuard {
  public:
   /// To be called before every crossing and contact, at `next`, when the event before was at `now`. Error
@@ -24,8 +26,14 @@ class StandstillGuard {
     constexpr std::uint64_t kMaxPerSphere = 20000;
     constexpr std::uint64_t kFewSpheres = 4;
     if (++events_ <= kMaxPerSphere * (spheres + kFewSpheres)) return;
-    throw RunFailure("the time " + to_text(now.value()) +
-                     " is too large to resolve the motion of the spheres; start at an earlier time");
+    const std::string time = to_text(now.value());
+    throw RunFailure(
+        now.value() == 0
+            ? "spheres collide without end at time 0: they touch at the start and are locked among "
+              "others; make them smaller by a part in 1e9, or place them farther apart"
+            : "events without end at time " + time +
+                  ": spheres touch and are locked among others, or the time is too large to "
+                  "resolve their motion; make them a little smaller, or start at an earlier time");
   }
 
  private:

@@ -9,8 +9,16 @@
 
 namespace hardball {
 
+namespace {
+
+// Whatever it quotes, a message is short enough to be read.
+constexpr std::size_t kLongestPart = 4000;
+
+}  // namespace
+
 Error::Error(std::string what, std::string where, std::string remedy)
-    : std::invalid_argument(where + ": " + what + "; " + remedy),
+    : std::invalid_argument(shortened(where, kLongestPart) + ": " + shortened(what, kLongestPart) + "; " +
+                            shortened(remedy, kLongestPart)),
       problem_(std::move(what)),
       where_(std::move(where)),
       remedy_(std::move(remedy)) {}
@@ -18,6 +26,14 @@ Error::Error(std::string what, std::string where, std::string remedy)
 void report_broken_invariant(const char* condition, const char* file, int line) {
   throw BrokenInvariant(std::string("broken invariant: ") + condition + " (" + file + ":" +
                         std::to_string(line) + "); please report it with the scenario that shows it");
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  std::size_t end = most - 3;
+  // Not within a character of UTF-8.
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return std::string(text.substr(0, end)) + "...";
 }
 
 std::string to_text(double number) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "hardball/errors/export.hpp"
 
@@ -43,6 +45,9 @@ class HARDBALL_EXPORT BrokenInvariant : public std::logic_error {
 
 /// Throws BrokenInvariant, naming the failed condition and its source location.
 [[noreturn]] HARDBALL_EXPORT void report_broken_invariant(const char* condition, const char* file, int line);
+
+/// The text as messages quote it: all of it, or its beginning and "..." where it has more than `most` bytes.
+HARDBALL_EXPORT std::string shortened(std::string_view text, std::size_t most = 60);
 
 /// The shortest decimal text that reads back as the same number, as in messages and text files.
 HARDBALL_EXPORT std::string to_text(double number);

@@ -64,7 +64,9 @@ void CollapseGuard::count(SphereId id, bool is_idle, const Time& now) {
       "inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMaxIdleContacts) +
       " times without separating from what hit it, at time " + to_text(now.value()) +
       "; make slow impacts elastic (elastic_below) or those that follow another at once (contact_duration), "
-      "by larger values if they are set, raise the restitution, or end the run before this time");
+      "by larger values if they are set, raise the restitution, or " +
+      (now.value() > 0 ? "end the run before this time"
+                       : "place spheres that touch at the start farther apart"));
 }
 
 void CollapseGuard::rewind(const Time& moment) {

@@ -83,7 +83,7 @@ std::vector<SectionEntry> read_head(Parts& parts, std::string_view file, const s
 }
 
 std::string unpacked(const SectionEntry& entry, std::string_view bytes, const std::string& where) {
-  const std::string section = "section '" + entry.name + "' ";
+  const std::string section = "section '" + shortened(entry.name) + "' ";
   if (XXH64(bytes.data(), bytes.size(), 0) != entry.checksum)
     refuse_checkpoint(section + "is damaged", where);
   if (entry.method == kStored && entry.length == entry.packed) return std::string(bytes);

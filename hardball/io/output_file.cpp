@@ -13,6 +13,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checksum.hpp"
+#include "hardball/io/open_output.hpp"
 #include "hardball/io/read_file.hpp"
 
 namespace hardball {
@@ -33,14 +34,16 @@ std::optional<std::uint64_t> checksum_before(const std::filesystem::path& path, 
 }  // namespace
 
 OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
-  open("wb");
+  refuse_link(path_);
+  const int file = open_output(path_);
+  own(file < 0 ? nullptr : fdopen(file, "wb"));
 }
 
 OutputFile::OutputFile(std::filesystem::path path, const FilePosition& position, std::uint64_t head)
     : path_(std::move(path)), written_(position.bytes), complete_(position.bytes) {
   constexpr const char* kRemedy = "restore the file, or start again in another directory";
   const std::uint64_t bytes = position.bytes;
-  open("rb+");
+  own(std::fopen(path_.string().c_str(), "rb+"));
   std::error_code failure;
   const std::uintmax_t present = std::filesystem::file_size(path_, failure);
   if (failure || present < bytes || std::fseek(file_.get(), static_cast<long>(bytes), SEEK_SET) != 0) {
@@ -56,8 +59,9 @@ OutputFile::OutputFile(std::filesystem::path path, const FilePosition& position,
   is_too_long_ = present > bytes;
 }
 
-void OutputFile::open(const char* mode) {
-  file_.reset(std::fopen(path_.string().c_str(), mode));
+// Error: the file could not be opened.
+void OutputFile::own(std::FILE* file) {
+  file_.reset(file);
   if (!file_) {
     throw Error(std::string("cannot be written: ") + std::strerror(errno), path_.string(),
                 "name a file in a directory that you may write to");

@@ -20,7 +20,8 @@ namespace hardball {
 /// the file is truncated to the last complete state and closed.
 class HARDBALL_EXPORT OutputFile {
  public:
-  /// Creates the file, or empties it if there is one. Error: it cannot be opened for writing.
+  /// Creates the file, or empties it if there is one; one that has other names keeps its contents under
+  /// these. Error: it cannot be opened for writing; it is a symbolic link.
   explicit OutputFile(std::filesystem::path path);
 
   /// Opens an existing file to continue from a position; the rest is cut off as soon as something is
@@ -65,7 +66,7 @@ class HARDBALL_EXPORT OutputFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  void open(const char* mode);
+  void own(std::FILE* file);
   void cut_off();
   void write(std::string_view bytes);
   void truncate() noexcept;

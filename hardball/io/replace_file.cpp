@@ -11,13 +11,15 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/open_output.hpp"
 
 namespace hardball {
 namespace {
 
 // Returns when the bytes are on the disk; false, with errno, if that is impossible.
 bool write_through(const std::string& path, std::string_view bytes) {
-  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  const int opened = open_output(path);
+  std::FILE* const file = opened < 0 ? nullptr : fdopen(opened, "wb");
   if (!file) return false;
   const bool is_written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() &&
                           std::fflush(file) == 0 && fsync(fileno(file)) == 0;
@@ -57,7 +59,7 @@ std::filesystem::path unfinished_name(const std::filesystem::path& path) {
 }
 
 void write_at(const std::filesystem::path& path, std::uint64_t offset, std::string_view bytes) {
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   bool is_written = file >= 0;
   while (is_written && !bytes.empty()) {
     const ssize_t count = pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));

@@ -212,7 +212,7 @@ Measures::Measures(const MeasureSettings& settings)
     }
     std::string all = "all";
     for (const std::string_view known : measure_names()) all += ", " + std::string(known);
-    throw Error("there is no measure '" + name + "'", "measures", "choose among " + all);
+    throw Error("there is no measure '" + shortened(name) + "'", "measures", "choose among " + all);
   }
 }
 

@@ -322,7 +322,7 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
   Shear shear;
   in.read(box, "shear_rate", [&](const Json& value) { shear.rate = in.number(value); });
   in.read(box, "shear_offset", [&](const Json& value) { shear.offset = in.number(value); });
-  header.box.set_shear(shear);
+  header.box.set_recorded_shear(shear);
   in.read(object, "begin", [&](const Json& value) { header.begin = in.number(value); });
   in.read(object, "until", [&](const Json& value) {
     if (!value.is_null()) header.until = in.number(value);

@@ -40,6 +40,31 @@ constexpr void expect(bool condition) {
 namespace hardball {
 namespace {
 
+constexpr std::size_t kMostLevels = 32;
+
+// The last character of the string that begins at `at`; without an end, that of its line or of the text.
+std::size_t end_of_string(std::string_view text, std::size_t at, std::size_t& line) {
+  const char quote = text[at];
+  const std::string thrice(3, quote);
+  const bool has_lines = text.substr(at, 3) == thrice;
+  at += has_lines ? 3 : 1;
+  for (; at < text.size(); ++at) {
+    if (text[at] == '\n') {
+      if (!has_lines) return at - 1;
+      ++line;
+    }
+    if (text[at] == '\\' && quote == '"') {
+      if (at + 1 < text.size() && text[at + 1] == '\n') ++line;
+      ++at;
+    } else if (has_lines && text.substr(at, 3) == thrice) {
+      return at + 2;
+    } else if (!has_lines && text[at] == quote) {
+      return at;
+    }
+  }
+  return text.size() - 1;
+}
+
 bool has_parser_fault(std::string_view text) {
   try {
     static_cast<void>(toml::parse(text));
@@ -76,7 +101,53 @@ std::string location_of_fault(std::string_view text) {
   return to_text(lines_before + 1) + ":" + count(line.begin(), line.end(), is_first_of_character);
 }
 
+// Error: values or keys are nested so deeply that the parser, which calls itself for each level, would
+// exhaust the stack.
+void check_depth(std::string_view text, const std::string& name) {
+  std::size_t brackets = 0;
+  std::size_t dots = 0;  // of the key, or the value, at hand
+  std::size_t line = 1;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    switch (text[at]) {
+      case '"':
+      case '\'':
+        at = end_of_string(text, at, line);
+        break;
+      case '#':
+        at = std::min(text.find('\n', at), text.size()) - 1;
+        break;
+      case '\n':
+        ++line;
+        dots = 0;
+        break;
+      case '[':
+      case '{':
+        ++brackets;
+        dots = 0;
+        break;
+      case ']':
+      case '}':
+        brackets -= brackets > 0 ? 1 : 0;
+        dots = 0;
+        break;
+      case ',':
+      case '=':
+        dots = 0;
+        break;
+      case '.':
+        ++dots;
+        break;
+      default:
+        break;
+    }
+    if (brackets <= kMostLevels && dots < kMostLevels) continue;
+    throw Error("there are more than " + to_text(kMostLevels) + " levels of tables or arrays",
+                name + ":" + to_text(line), "write fewer brackets, or fewer dots in a key");
+  }
+}
+
 toml::table parse_toml(std::string_view text, const std::string& name) {
+  check_depth(text, name);
   const std::string remedy = "see toml.io for how to write it";
   try {
     return toml::parse(text, name);
@@ -86,8 +157,8 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
     std::replace(message.begin(), message.end(), '\n', ' ');
     std::replace(message.begin(), message.end(), ';', ',');
     const toml::source_position begin = error.source().begin;
-    throw Error("invalid TOML: " + message, name + ":" + to_text(begin.line) + ":" + to_text(begin.column),
-                remedy);
+    throw Error("invalid TOML: " + shortened(message, 300),
+                name + ":" + to_text(begin.line) + ":" + to_text(begin.column), remedy);
   } catch (const ParserFault&) {
     throw Error("invalid TOML", name + ":" + location_of_fault(text),
                 "put keys in quotes unless they consist of letters a to z, digits, _ and -; " + remedy);
@@ -185,7 +256,7 @@ Node& at_key(Node::Table& table, const std::string& key, const Location& locatio
 }  // namespace
 
 std::string in_quotes(std::string_view text) {
-  return "'" + std::string(text) + "'";
+  return "'" + shortened(text) + "'";
 }
 
 Document::Document(std::string name, std::string_view text)
@@ -194,7 +265,11 @@ Document::Document(std::string name, std::string_view text)
 void Document::apply_override(const std::string& override_text) {
   const std::size_t equals = override_text.find('=');
   const std::string key = override_text.substr(0, equals);
-  const std::string where = "--set " + key;
+  const std::string where = "--set " + shortened(key);
+  if (static_cast<std::size_t>(std::ranges::count(key, '.')) >= kMostLevels) {
+    throw Error("there are more than " + to_text(kMostLevels) + " levels of tables or arrays", where,
+                "write fewer dots in the key");
+  }
   if (equals == std::string::npos || key.empty() || key.back() == '.') {
     throw Error(in_quotes(override_text) + " is not of the form key=value", "--set",
                 "write it like run.until=5");
@@ -225,7 +300,7 @@ void Document::apply_override(const std::string& override_text) {
 }
 
 std::string Document::text_of(const Location& location) const {
-  if (location.origin > 0) return "--set " + overridden_[location.origin - 1];
+  if (location.origin > 0) return "--set " + shortened(overridden_[location.origin - 1]);
   if (location.line == 0) return name_;
   return name_ + ":" + to_text(location.line) + ":" + to_text(location.column);
 }

@@ -100,9 +100,8 @@ TableDescription box_keys() {
           {.name = "shear_offset",
            .dimension = "L",
            .default_value = "0.0",
-           .meaning =
-               "by how much the image above is displaced along x at time zero. If not given, it is the "
-               "tilt of the box in a start file",
+           .meaning = "by how much the image above is displaced along x at time zero; whole boxes count for "
+                      "nothing. If not given, it is the tilt of the box in a start file",
            .example = "3.5"},
           {.name = "faces",
            .type = table,

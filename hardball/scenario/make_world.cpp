@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -345,7 +346,28 @@ Scenario with_tilt_of(const Snapshot& snapshot, Scenario scenario) {
   return scenario;
 }
 
-World make_from_file(const Scenario& scenario) {
+// Whether the box of a start file is that of the scenario. GSD files have lengths in single precision.
+bool is_box_of(const Scenario& scenario, const SnapshotBox& box) {
+  constexpr double kSingle = std::numeric_limits<float>::epsilon();
+  const auto is_near = [](double a, double b) {
+    return std::fabs(a - b) <= kSingle * std::max(std::fabs(a), std::fabs(b));
+  };
+  if (box.is_flat != (scenario.dimensions() == 2)) return false;
+  for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
+    const auto& [boundary, size] = scenario.box[axis];
+    if (box.is_periodic[axis] != (boundary == Boundary::periodic)) return false;
+    const bool has_size = boundary == Boundary::periodic || (boundary == Boundary::wall && !box.is_unbounded);
+    if (has_size && !is_near(box.size[axis], size.value_or(0))) return false;
+    // Where it is periodic, it may begin anywhere.
+    if (has_size && boundary == Boundary::wall && !is_near(box.low[axis] + box.size[axis], size.value_or(0)))
+      return false;
+  }
+  const double beyond = std::remainder(box.tilt - scenario.shear.offset, box.size.x);
+  return scenario.shear.rate != 0 || !scenario.is_shear_offset_given ||
+         std::fabs(beyond) <= kSingle * box.size.x;
+}
+
+World make_from_file(const Scenario& scenario, const OnNote& on_note) {
   const std::filesystem::path& file = *scenario.start_file;
   Snapshot snapshot = read_snapshot(file);
   World world = make_empty_world(with_tilt_of(snapshot, scenario));
@@ -356,6 +378,10 @@ World make_from_file(const Scenario& scenario) {
   world.reserve(snapshot.spheres.size());
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     add(world, snapshot.spheres[i], snapshot.location(file.string(), i));
+  }
+  if (on_note && snapshot.box && !is_box_of(scenario, *snapshot.box)) {
+    on_note("the box of " + file.string() + ", " + text_of(*snapshot.box) +
+            ", is not that of [box], which is used");
   }
   return world;
 }
@@ -382,10 +408,10 @@ Box make_box(const Scenario& scenario) {
   return box;
 }
 
-World make_world(const Scenario& scenario, const OnProgress& on_progress) {
+World make_world(const Scenario& scenario, const OnProgress& on_progress, const OnNote& on_note) {
   const Progress progress(on_progress);
   progress.note(0, 1);
-  World world = scenario.start_file ? make_from_file(scenario) : make_empty_world(scenario);
+  World world = scenario.start_file ? make_from_file(scenario, on_note) : make_empty_world(scenario);
   if (!scenario.spheres.empty()) add_groups(scenario, world, progress);
   set_interactions(scenario, world);
   add_bonds(scenario, world);
@@ -394,9 +420,10 @@ World make_world(const Scenario& scenario, const OnProgress& on_progress) {
 }
 
 World make_part(const Scenario& scenario, const Function<bool(SphereId)>& is_wanted,
-                const Function<void(const SphereState&)>& take, const OnProgress& on_progress) {
+                const Function<void(const SphereState&)>& take, const OnProgress& on_progress,
+                const OnNote& on_note) {
   if (!can_be_made_in_turn(scenario)) {
-    const World whole = make_world(scenario, on_progress);
+    const World whole = make_world(scenario, on_progress, on_note);
     whole.for_each_by_id([&](Slot slot) {
       if (is_wanted(whole.id(slot))) take(whole.state_of(slot));
     });

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "hardball/errors/export.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/scenario/scenario.hpp"
@@ -13,6 +15,9 @@ namespace hardball {
 /// The share of space that spheres fill where they are placed along open axes without a size [1].
 inline constexpr double kOpenPackingFraction = 0.1;
 
+/// Called with a sentence about a scenario that is right, but perhaps not what was meant.
+using OnNote = Function<void(const std::string& note)>;
+
 /// The box of a scenario. Error: see Box.
 HARDBALL_EXPORT Box make_box(const Scenario& scenario);
 
@@ -23,15 +28,17 @@ HARDBALL_EXPORT Box make_box(const Scenario& scenario);
 /// all positions, then all velocities. Along open axes without a size, placement uses an interval around 0 of
 /// which the spheres fill a tenth. Error, with its location in the scenario or the start file: the spheres do
 /// not fit; groups on a lattice have several radii; what draw_radii refuses; what World::add refuses.
-/// Overlaps among listed or read positions are not checked here.
-HARDBALL_EXPORT World make_world(const Scenario& scenario, const OnProgress& on_progress = {});
+/// Overlaps among listed or read positions are not checked here. Calls on_note if the start file has another
+/// box than the scenario, whose box is used.
+HARDBALL_EXPORT World make_world(const Scenario& scenario, const OnProgress& on_progress = {},
+                                 const OnNote& on_note = {});
 
-/// The same for one of those who share a world, and cannot keep all of it: returns the world without spheres,
-/// and calls take(state) for the spheres that are wanted, in the order of ids. Memory: that of all spheres
-/// only where they are placed at random or listed, are of several groups, or come from a file. Error: as for
+/// Makes the part of a world that one of several processes keeps: returns the world without spheres, and
+/// calls take(state) for the spheres that are wanted, in the order of ids. Memory: that of all spheres only
+/// where they are placed at random or listed, are of several groups, or come from a file. Error: as for
 /// make_world.
 HARDBALL_EXPORT World make_part(const Scenario& scenario, const Function<bool(SphereId)>& is_wanted,
                                 const Function<void(const SphereState&)>& take,
-                                const OnProgress& on_progress = {});
+                                const OnProgress& on_progress = {}, const OnNote& on_note = {});
 
 }  // namespace hardball

@@ -30,20 +30,27 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string all_of(std::span<const std::string_view> names, char quote) {
+  std::string all;
+  for (const std::string_view name : names)
+    all += (all.empty() ? "choose among " : ", ") + (quote + std::string(name) + quote);
+  return all;
+}
+
 }  // namespace
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> names, char quote) {
   HARDBALL_CHECK(!names.empty());
+  // So long a word is no misspelling, and takes time to compare.
+  constexpr std::size_t kLongest = 100;
+  if (word.size() > kLongest) return all_of(names, quote);
   const std::string_view nearest = *std::min_element(
       names.begin(), names.end(),
       [&](std::string_view a, std::string_view b) { return distance(word, a) < distance(word, b); });
-  const auto in_quotes = [quote](std::string_view name) { return quote + std::string(name) + quote; };
   constexpr std::size_t kLettersPerEdit = 3;
   const std::size_t edits = std::max<std::size_t>(1, std::max(word.size(), nearest.size()) / kLettersPerEdit);
-  if (distance(word, nearest) <= edits) return "did you mean " + in_quotes(nearest) + "?";
-  std::string all;
-  for (const std::string_view name : names) all += (all.empty() ? "choose among " : ", ") + in_quotes(name);
-  return all;
+  if (distance(word, nearest) <= edits) return "did you mean " + (quote + std::string(nearest) + quote) + "?";
+  return all_of(names, quote);
 }
 
 }  // namespace hardball

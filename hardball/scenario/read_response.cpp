@@ -97,7 +97,8 @@ std::vector<SpeciesDescription> read_species(const Section& root) {
                   "choose another name: that one means walls");
     }
     if (std::ranges::find(all, species.name, &SpeciesDescription::name) != all.end()) {
-      throw Error("there are two species \"" + species.name + "\"", name.location(), "choose another name");
+      throw Error("there are two species \"" + shortened(species.name) + "\"", name.location(),
+                  "choose another name");
     }
     if (all.size() > std::numeric_limits<SpeciesId>::max()) {
       throw Error("there are more than 256 species", name.location(), "describe fewer");
@@ -114,7 +115,7 @@ SpeciesId species_named(const Value& name, std::span<const SpeciesDescription> s
   if (found != species.end()) return static_cast<SpeciesId>(found - species.begin());
   std::vector<std::string_view> names;
   for (const SpeciesDescription& each : species) names.push_back(each.name);
-  throw Error("there is no species \"" + wanted + "\"", name.location(),
+  throw Error("there is no species \"" + shortened(wanted) + "\"", name.location(),
               names.empty() ? "add [[species]] with this name" : suggestion(wanted, names, '"'));
 }
 

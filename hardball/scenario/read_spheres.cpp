@@ -28,7 +28,7 @@ void read_placement(const Section& section, SphereGroup& group) {
   group.placement = static_cast<Placement>(placement.choice());
   const Placement lattice_of_others = group.dimensions == 2 ? Placement::fcc : Placement::hexagonal;
   if (group.placement != lattice_of_others) return;
-  throw Error("placement is \"" + placement.text() + "\" in a box of " +
+  throw Error("placement is \"" + shortened(placement.text()) + "\" in a box of " +
                   (group.dimensions == 2 ? "two" : "three") + " dimensions",
               placement.location(),
               std::string("use \"") + (group.dimensions == 2 ? "hexagonal" : "fcc") + "\" or \"random\"");

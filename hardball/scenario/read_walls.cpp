@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/scenario/read_walls.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "hardball/errors/error.hpp"
@@ -14,7 +15,7 @@ namespace {
 Vec3 read_direction(const Section& section, const std::string& key, std::size_t dimensions) {
   const Value value = section.need(key);
   const Vec3 direction = value.vector(dimensions);
-  check_positive(length(direction), "the length of " + key, value.location());
+  check_positive(std::hypot(direction.x, direction.y, direction.z), "the length of " + key, value.location());
   return direction;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <numbers>
@@ -66,7 +67,10 @@ Vec3 read_gravity(const Section& box, std::size_t dimensions) {
   const std::optional<Value> given = box.find("gravity");
   if (!given) return {};
   const Vec3 gravity = given->vector(dimensions);
-  if (gravity != Vec3{}) check_positive(length(gravity), "the magnitude of gravity", given->location());
+  if (gravity != Vec3{}) {
+    check_positive(std::hypot(gravity.x, gravity.y, gravity.z), "the magnitude of gravity",
+                   given->location());
+  }
   if (dimensions == 2 && gravity.z != 0) {
     throw Error("gravity along z is " + to_text(gravity.z) + " in a box of two dimensions", given->location(),
                 "make it zero, or give the box three dimensions");
@@ -108,7 +112,8 @@ void read_start(const Section& root, Scenario& scenario) {
     try {
       format_of(*scenario.start_file);
     } catch (const Error& error) {
-      throw Error("file is \"" + file.text() + "\", and " + error.problem(), file.location(), error.remedy());
+      throw Error("file is \"" + shortened(file.text()) + "\", and " + error.problem(), file.location(),
+                  error.remedy());
     }
     read_start_velocities(*start, scenario);
     return;

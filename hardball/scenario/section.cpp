@@ -96,7 +96,7 @@ std::size_t Value::choice() const {
   const std::string given = text();
   const auto found = std::ranges::find(key_->choices, given);
   if (found == key_->choices.end()) {
-    throw Error(std::string(key_->name) + " is \"" + given + "\"", location(),
+    throw Error(std::string(key_->name) + " is \"" + shortened(given) + "\"", location(),
                 suggestion(given, key_->choices, '"'));
   }
   return static_cast<std::size_t>(found - key_->choices.begin());
@@ -111,7 +111,7 @@ std::vector<Value> Value::some() const {
     const std::string given = value->text();
     const auto is_given = [&](const Value& earlier) { return earlier.text() == given; };
     if (std::any_of(values.begin(), value, is_given)) {
-      throw Error(std::string(key_->name) + " has \"" + given + "\" twice", value->location(),
+      throw Error(std::string(key_->name) + " has \"" + shortened(given) + "\" twice", value->location(),
                   "remove one of the two");
     }
   }

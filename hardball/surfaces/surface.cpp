@@ -14,7 +14,8 @@ namespace {
 void check_direction(const Vec3& direction, const char* name) {
   constexpr double kRounding = 1e-12;
   if (std::fabs(dot(direction, direction) - 1) <= kRounding) return;
-  throw Error(std::string("the ") + name + " of a surface has the length " + to_text(length(direction)),
+  throw Error(std::string("the ") + name + " of a surface has the length " +
+                  to_text(std::hypot(direction.x, direction.y, direction.z)),
               "surface", "give a unit vector");
 }
 

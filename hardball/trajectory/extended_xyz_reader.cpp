@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,33 +17,98 @@
 namespace hardball {
 namespace {
 
-// The key=value pairs of a comment line, each value with its offset. Values may be quoted; a key without a
-// value has an empty one.
-std::map<std::string, Token, std::less<>> parse_comment(std::string_view line, const TextLocation& location) {
-  std::map<std::string, Token, std::less<>> pairs;
+// The keys of a comment line that say where the spheres are.
+constexpr std::array<std::string_view, 8> kKeys{"Lattice",     "Origin", "pbc",       "Properties",
+                                                "cell_origin", "Time",   "unbounded", "dimensions"};
+constexpr std::size_t kSpellings = 4;  // of which another case would hide the box or the columns
+
+bool is_same_but_for_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+// Error: the key is one of kKeys in another case, or occurred before.
+void check_key(std::string_view key, bool is_known_before, std::size_t offset, const TextLocation& location) {
+  for (const std::string_view known : std::span(kKeys).first(kSpellings)) {
+    if (key != known && is_same_but_for_case(key, known))
+      throw Error("the key '" + shortened(key) + "' has another case", location.text(offset),
+                  "write " + std::string(known));
+  }
+  if (is_known_before && std::ranges::find(kKeys, key) != kKeys.end())
+    throw Error("the key '" + shortened(key) + "' occurs twice", location.text(offset),
+                "remove one of the two");
+}
+
+// The end of a value in quotes or brackets that begins at `at`; npos if it has none.
+std::size_t end_of_enclosed(std::string_view line, std::size_t at) {
+  const char open = line[at];
+  const char close = open == '{' ? '}' : open == '[' ? ']' : open;
+  std::size_t depth = 0;
+  for (std::size_t i = at; i < line.size(); ++i) {
+    if (open == close) {
+      if (line[i] == '\\' && open == '"') {
+        ++i;
+      } else if (i > at && line[i] == close) {
+        return i;
+      }
+      continue;
+    }
+    if (line[i] == open) ++depth;
+    if (line[i] == close && --depth == 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+// The value of a key.
+struct Value {
+  Token token;
+  char enclosure = '\0';  // the quote or bracket before it
+};
+using Pairs = std::map<std::string, Value, std::less<>>;
+
+// The key=value pairs of a comment line. Values may be quoted or, as arrays are, in brackets or braces; a key
+// without a value has an empty one.
+Pairs parse_comment(std::string_view line, const TextLocation& location) {
+  Pairs pairs;
   std::size_t at = 0;
-  while (at = std::min(line.find_first_not_of(kBlanks, at), line.size()), at < line.size()) {
-    const std::size_t key_end = std::min(line.find_first_of("= \t\r", at), line.size());
-    const std::string key(line.substr(at, key_end - at));
-    Token value{{}, key_end};
-    at = key_end;
+  const auto skip_blanks = [&] { at = std::min(line.find_first_not_of(kBlanks, at), line.size()); };
+  for (skip_blanks(); at < line.size(); skip_blanks()) {
+    const std::size_t begin = at;
+    const bool is_quoted = line[at] == '"' || line[at] == '\'';
+    const std::size_t quote = is_quoted ? end_of_enclosed(line, at) : std::string_view::npos;
+    std::string key;
+    if (quote != std::string_view::npos) {
+      key = line.substr(at + 1, quote - at - 1);
+      at = quote + 1;
+    } else {
+      at = std::min(line.find_first_of("= \t\r", at), line.size());
+      key = line.substr(begin, at - begin);
+    }
+    Value value{{{}, at}};
+    const std::size_t key_end = at;
+    skip_blanks();
     if (at < line.size() && line[at] == '=') {
       ++at;
-      if (at < line.size() && (line[at] == '"' || line[at] == '\'')) {
-        const std::size_t close = line.find(line[at], at + 1);
+      skip_blanks();
+      if (at < line.size() && std::string_view("\"'{[").find(line[at]) != std::string_view::npos) {
+        const std::size_t close = end_of_enclosed(line, at);
         if (close == std::string_view::npos) {
-          throw Error("the quote is never closed", location.text(at),
-                      "end the value with the quote that opens it");
+          const bool is_quote = line[at] == '"' || line[at] == '\'';
+          throw Error(is_quote ? "the quote is never closed" : "the bracket is never closed",
+                      location.text(at), "end the value with what closes it");
         }
-        value = {line.substr(at + 1, close - at - 1), at + 1};
+        value = {{line.substr(at + 1, close - at - 1), at + 1}, line[at]};
         at = close + 1;
       } else {
         const std::size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
-        value = {line.substr(at, end - at), at};
+        value = {{line.substr(at, end - at), at}};
         at = end;
       }
+    } else {
+      at = key_end;
     }
-    pairs.insert_or_assign(key, value);
+    check_key(key, pairs.contains(key), begin, location);
+    pairs.insert_or_assign(std::move(key), value);
   }
   return pairs;
 }
@@ -57,6 +123,7 @@ struct Columns {
   std::optional<std::size_t> masses;
   std::optional<std::size_t> id;
   std::optional<std::size_t> type;
+  std::optional<std::size_t> species_name;
   std::optional<std::size_t> spin;
   std::optional<std::size_t> moment;
   std::optional<std::size_t> image;
@@ -71,15 +138,19 @@ struct KnownColumn {
   std::optional<std::size_t> Columns::*column;
 };
 
-constexpr std::array<KnownColumn, 11> kKnownColumns{{
+constexpr std::array<KnownColumn, 15> kKnownColumns{{
     {"pos", "R", 3, true, &Columns::position},
     {"velo", "R", 3, false, &Columns::velocity},
+    {"vel", "R", 3, false, &Columns::velocity},
+    {"velocity", "R", 3, false, &Columns::velocity},
+    {"velocities", "R", 3, false, &Columns::velocity},
     {"radius", "R", 1, true, &Columns::radius},
     {"mass", "R", 1, false, &Columns::mass},
     {"momenta", "R", 3, false, &Columns::momenta},
     {"masses", "R", 1, false, &Columns::masses},
     {"id", "I", 1, false, &Columns::id},
     {"type", "I", 1, false, &Columns::type},
+    {"species", "S", 1, false, &Columns::species_name},
     {"angular_velocity", "R", 3, false, &Columns::spin},
     {"moment", "R", 1, false, &Columns::moment},
     {"map_shift", "I", 3, false, &Columns::image},
@@ -105,20 +176,21 @@ Columns parse_properties(const Token& properties, const TextLocation& location) 
     std::size_t width = 0;
     constexpr std::size_t kMaxWidth = 1000;
     if (!parse(width_text.text, width) || width == 0 || width > kMaxWidth) {
-      throw Error("the columns of '" + std::string(name.text) + "' have no count", location.text(name.offset),
+      throw Error("the columns of '" + shortened(name.text) + "' have no count", location.text(name.offset),
                   "write Properties as name:type:count:name:type:count...");
     }
     for (const KnownColumn& known : kKnownColumns) {
-      if (name.text != known.name) continue;
+      if (!is_same_but_for_case(name.text, known.name)) continue;
       // Other programs may call other things a type.
-      if (known.column == &Columns::type && type.text != known.type) continue;
+      const bool is_kind = known.column == &Columns::type || known.column == &Columns::species_name;
+      if (is_kind && type.text != known.type) continue;
       if (type.text != known.type || width != known.width) {
-        throw Error("column '" + std::string(name.text) + "' has another type or width",
+        throw Error("column '" + shortened(name.text) + "' has another type or width",
                     location.text(name.offset), "make it " + description(known));
       }
       if (columns.*known.column) {
-        throw Error("column '" + std::string(name.text) + "' appears twice", location.text(name.offset),
-                    "remove one of the two");
+        throw Error("column '" + shortened(name.text) + "' appears twice, perhaps by another name",
+                    location.text(name.offset), "remove one of the two");
       }
       columns.*known.column = columns.count;
     }
@@ -145,8 +217,8 @@ std::size_t parse_count(const Lines& lines) {
   std::size_t count = 0;
   const bool alone = next_token(lines.line(), token.offset + token.text.size()).text.empty();
   if (alone && parse(token.text, count)) return count;
-  throw Error("a frame begins with '" + std::string(lines.line().substr(0, 40)) + "'",
-              lines.location().text(token.offset), "begin every frame with the number of its spheres");
+  throw Error("a frame begins with '" + shortened(lines.line()) + "'", lines.location().text(token.offset),
+              "begin every frame with the number of its spheres");
 }
 
 void skip_extended_xyz_frame(Lines& lines) {
@@ -168,6 +240,7 @@ class Row {
         location_.text(), "give one value for each column");
   }
 
+  std::string_view text(std::size_t column) const { return values_[column].text; }
   double real(std::size_t column, std::string_view name) const {
     return parse_real(values_[column], name, location_);
   }
@@ -184,8 +257,8 @@ class Row {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const Token& token = values_[column + axis];
       if (!parse(token.text, image[axis])) {
-        throw Error("map_shift is '" + std::string(token.text.substr(0, 40)) + "'",
-                    location_.text(token.offset), "give a number of boxes");
+        throw Error("map_shift is '" + shortened(token.text) + "'", location_.text(token.offset),
+                    "give a number of boxes");
       }
     }
     return image;
@@ -196,49 +269,132 @@ class Row {
   std::vector<Token> values_;
 };
 
-using Pairs = std::map<std::string, Token, std::less<>>;
+// The items of a value: of an array in brackets, they are separated by commas.
+std::vector<Token> items_of(const Value& value) {
+  std::vector<Token> items;
+  const Token& whole = value.token;
+  const std::string_view separators = value.enclosure == '[' || value.enclosure == '{' ? " \t\r,[]" : kBlanks;
+  for (std::size_t at = 0; at < whole.text.size();) {
+    const std::size_t begin = std::min(whole.text.find_first_not_of(separators, at), whole.text.size());
+    at = std::min(whole.text.find_first_of(separators, begin), whole.text.size());
+    if (at > begin) items.push_back({whole.text.substr(begin, at - begin), whole.offset + begin});
+  }
+  return items;
+}
 
-// The numbers of a value; none if there are not as many, or the value is missing.
+// The numbers of a value, if the frame has it. Error: they are not as many, or one is none.
 template <std::size_t count>
-std::optional<std::array<double, count>> numbers_of(const Pairs& pairs, std::string_view key) {
+std::optional<std::array<double, count>> numbers_of(const Pairs& pairs, std::string_view key,
+                                                    const TextLocation& location) {
   const auto found = pairs.find(key);
   if (found == pairs.end()) return std::nullopt;
-  const std::vector<Token> tokens = tokens_of(found->second.text);
-  if (tokens.size() != count) return std::nullopt;
-  std::array<double, count> numbers{};
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!parse(tokens[i].text, numbers[i]) || !std::isfinite(numbers[i])) return std::nullopt;
+  const std::vector<Token> items = items_of(found->second);
+  if (items.size() != count) {
+    throw Error(shortened(key) + " has " + to_text(items.size()) + (items.size() == 1 ? " value" : " values"),
+                location.text(found->second.token.offset), "give " + to_text(count) + " numbers");
   }
+  std::array<double, count> numbers{};
+  for (std::size_t i = 0; i < count; ++i) numbers[i] = parse_real(items[i], key, location);
   return numbers;
 }
 
-// The box, if the frame has one whose edges lie along the axes, or that is tilted along x across y.
-std::optional<SnapshotBox> box_of(const Pairs& pairs) {
-  const auto lattice = numbers_of<9>(pairs, "Lattice");
-  if (!lattice) return std::nullopt;
-  SnapshotBox box;
-  for (std::size_t i = 0; i < lattice->size(); ++i) {
-    const bool is_edge = i % (kAxes + 1) == 0;
-    const bool is_tilt = i == kAxes;
-    if (is_edge ? !((*lattice)[i] >= 0) : !is_tilt && (*lattice)[i] != 0) return std::nullopt;
-    if (is_tilt) box.tilt = (*lattice)[i];
-    if (is_edge) box.size[i / kAxes] = (*lattice)[i];
+bool parse_truth(const Token& token, std::string_view key, const TextLocation& location) {
+  constexpr std::array<std::string_view, 5> kTrue{"T", "True", "true", "TRUE", "1"};
+  constexpr std::array<std::string_view, 5> kFalse{"F", "False", "false", "FALSE", "0"};
+  if (std::ranges::find(kTrue, token.text) != kTrue.end()) return true;
+  if (std::ranges::find(kFalse, token.text) != kFalse.end()) return false;
+  throw Error(shortened(key) + " is '" + shortened(token.text) + "'", location.text(token.offset),
+              "give T or F");
+}
+
+// Along which axes the box is periodic: by definition of the format along all unless the frame says
+// otherwise.
+std::array<bool, kAxes> periodic_axes(const Pairs& pairs, const TextLocation& location) {
+  const auto found = pairs.find("pbc");
+  if (found == pairs.end()) return {true, true, true};
+  const std::vector<Token> items = items_of(found->second);
+  if (items.size() != kAxes) {
+    throw Error("pbc has " + to_text(items.size()) + (items.size() == 1 ? " value" : " values"),
+                location.text(found->second.token.offset), "give T or F for each axis, as in pbc=\"T T F\"");
   }
-  if (const auto origin = numbers_of<3>(pairs, "Origin"))
-    box.low = {(*origin)[0] + box.tilt / 2, (*origin)[1], (*origin)[2]};
-  if (const auto periodic = pairs.find("pbc"); periodic != pairs.end()) {
-    const std::vector<Token> axes = tokens_of(periodic->second.text);
-    for (std::size_t axis = 0; axis < std::min(axes.size(), kAxes); ++axis)
-      box.is_periodic[axis] = axes[axis].text == "T";
-  }
-  const auto is = [&](std::string_view key, std::string_view value) {
-    const auto found = pairs.find(key);
-    return found != pairs.end() && found->second.text == value;
+  std::array<bool, kAxes> periodic{};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) periodic[axis] = parse_truth(items[axis], "pbc", location);
+  return periodic;
+}
+
+// The vectors of the lattice, one after the other. Error: they are not along the axes, but for a tilt of the
+// second along x.
+std::array<double, kAxes * kAxes> lattice_of(const Pairs& pairs, const TextLocation& location) {
+  const Value& value = pairs.find("Lattice")->second;
+  const auto lattice = *numbers_of<kAxes * kAxes>(pairs, "Lattice", location);
+  const auto refuse = [&](const std::string& problem, const char* remedy) {
+    throw Error(problem, location.text(value.token.offset), remedy);
   };
-  box.is_unbounded = is("unbounded", "T");
-  box.is_flat = is("dimensions", "2");
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const bool is_edge = i % (kAxes + 1) == 0;
+    const bool may_be_tilt = i == kAxes && value.enclosure != '[';
+    if (is_edge && lattice[i] < 0)
+      refuse("Lattice has an edge of " + to_text(lattice[i]), "give edges along the axes, none negative");
+    if (is_edge || may_be_tilt || lattice[i] == 0) continue;
+    // Programs disagree whether the rows or the columns of a matrix are the vectors.
+    if (value.enclosure == '[') {
+      refuse("Lattice is a tilted box in brackets", "give nine numbers in quotes, the three vectors in turn");
+    }
+    refuse("Lattice is triclinic, not only tilted along x across y",
+           "give a box whose edges lie along the axes");
+  }
+  return lattice;
+}
+
+// The box, if the frame has one.
+std::optional<SnapshotBox> box_of(const Pairs& pairs, const TextLocation& location) {
+  SnapshotBox box;
+  box.is_periodic = periodic_axes(pairs, location);
+  if (!pairs.contains("Lattice")) {
+    const auto pbc = pairs.find("pbc");
+    if (pbc != pairs.end() && std::ranges::find(box.is_periodic, true) != box.is_periodic.end()) {
+      throw Error("pbc says that the box is periodic, and there is no Lattice",
+                  location.text(pbc->second.token.offset), "add Lattice, or write pbc=\"F F F\"");
+    }
+    return std::nullopt;
+  }
+  const auto lattice = lattice_of(pairs, location);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) box.size[axis] = lattice[axis * (kAxes + 1)];
+  box.tilt = lattice[kAxes];
+  const auto origin = numbers_of<kAxes>(pairs, "Origin", location);
+  const auto corner = origin ? origin : numbers_of<kAxes>(pairs, "cell_origin", location);
+  if (corner) box.low = {(*corner)[0], (*corner)[1], (*corner)[2]};
+  box.low.x += box.tilt / 2;
+  const auto unbounded = pairs.find("unbounded");
+  box.is_unbounded = unbounded != pairs.end() && parse_truth(unbounded->second.token, "unbounded", location);
+  const auto dimensions = pairs.find("dimensions");
+  box.is_flat = dimensions != pairs.end() && dimensions->second.token.text == "2";
+  if (box.is_flat) box.is_periodic[2] = false;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!box.is_periodic[axis] || box.size[axis] > 0) continue;
+    throw Error(std::string("the box is periodic along ") + "xyz"[axis] + " and has no size there",
+                location.text(pairs.find("Lattice")->second.token.offset),
+                "give a size, or name the periodic axes, as in pbc=\"T T F\"");
+  }
   return box;
 }
+
+// The species of names, numbered in the order of their first appearance.
+class SpeciesNames {
+ public:
+  // Error: there are more species than there may be.
+  SpeciesId species_of(std::string_view name, const TextLocation& location) {
+    const auto [known, is_new] = numbers_.try_emplace(std::string(name), numbers_.size());
+    if (is_new && known->second > std::numeric_limits<SpeciesId>::max()) {
+      throw Error("there are more than " + to_text(known->second) + " species", location.text(),
+                  "give fewer names, or a column type:I:1");
+    }
+    return static_cast<SpeciesId>(known->second);
+  }
+
+ private:
+  std::map<std::string, std::size_t, std::less<>> numbers_;
+};
 
 Snapshot read_extended_xyz_frame(Lines& lines) {
   const std::size_t count = parse_count(lines);
@@ -250,13 +406,14 @@ Snapshot read_extended_xyz_frame(Lines& lines) {
     throw Error("the frame's second line has no Properties", lines.location().text(),
                 "add Properties=pos:R:3:velo:R:3:radius:R:1, in the order of the columns");
   }
-  const Columns columns = parse_properties(properties->second, lines.location());
+  const Columns columns = parse_properties(properties->second.token, lines.location());
   Snapshot snapshot;
   if (const auto time = pairs.find("Time"); time != pairs.end()) {
-    snapshot.time = parse_real(time->second, "Time", lines.location());
+    snapshot.time = parse_real(time->second.token, "Time", lines.location());
   }
-  snapshot.box = box_of(pairs);
+  snapshot.box = box_of(pairs, lines.location());
   snapshot.has_spins = columns.spin.has_value();
+  SpeciesNames names;
   for (std::size_t i = 0; i < count; ++i) {
     if (!lines.next()) report_end(lines, count, i);
     const Row row(lines, columns.count);
@@ -271,7 +428,11 @@ Snapshot read_extended_xyz_frame(Lines& lines) {
       const Vec3 momentum = row.vector(*columns.momenta, "momenta");
       sphere.velocity = {momentum.x / mass, momentum.y / mass, momentum.z / mass};
     }
-    if (columns.type) sphere.species = species_of_type(row.integer(*columns.type, "type"));
+    if (columns.type) {
+      sphere.species = species_of_type(row.integer(*columns.type, "type"));
+    } else if (columns.species_name) {
+      sphere.species = names.species_of(row.text(*columns.species_name), lines.location());
+    }
     if (columns.spin) sphere.spin = row.vector(*columns.spin, "angular_velocity");
     if (columns.moment) sphere.inertia_factor = row.real(*columns.moment, "moment");
     if (columns.id) snapshot.ids.push_back(row.integer(*columns.id, "id"));

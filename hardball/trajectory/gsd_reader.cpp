@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "hardball/errors/error.hpp"
@@ -38,18 +39,53 @@ std::string_view name_of(Chunk chunk) {
   return gsd::kChunkNames[static_cast<std::size_t>(chunk)];
 }
 
+// Whether a chunk has a row for each sphere.
+bool is_of_spheres(Chunk chunk) {
+  return chunk != Chunk::count && chunk != Chunk::types &&
+         name_of(chunk).find("particles/") != std::string::npos;
+}
+
+// The box of the schema where the file has none: a periodic unit cube.
+std::string default_edges() {
+  std::string bytes;
+  for (std::size_t i = 0; i < 2 * kAxes; ++i)
+    append_little_endian(bytes, std::bit_cast<std::uint32_t>(i < kAxes ? 1.0F : 0.0F));
+  return bytes;
+}
+
+// Whether the edges of the box are these, in single precision. A plane has no third one.
+bool is_rounded(const Vec3& size, const SnapshotBox& box) {
+  for (std::size_t axis = 0; axis < (box.is_flat ? kAxes - 1 : kAxes); ++axis) {
+    constexpr double kMax = std::numeric_limits<float>::max();
+    const double rounded = std::fabs(size[axis]) > kMax ? std::numeric_limits<double>::infinity()
+                                                        : double{static_cast<float>(size[axis])};
+    if (rounded != box.size[axis]) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 GsdReader::GsdReader(const std::filesystem::path& path) : file_(path), frames_(file_.frames()) {
   if (frames_ == 0) throw Error("the file contains no frame", file_.name(), "give a GSD file with a frame");
 }
 
-// The bytes of a chunk, that of the first frame if the frame has none and as many spheres; nothing if neither
-// has it.
+bool GsdReader::has_own(std::size_t frame, Chunk chunk) const {
+  return file_.find(frame, name_of(chunk)) != nullptr;
+}
+
+// The chunk that holds for a frame: its own or that of the first frame; null for the default of the schema.
+const gsd::Entry* GsdReader::entry_of(std::size_t frame, Chunk chunk) {
+  const gsd::Entry* entry = file_.find(frame, name_of(chunk));
+  if (entry || frame == 0) return entry;
+  if (is_of_spheres(chunk) && count_of(0) != count_of(frame)) return nullptr;
+  return file_.find(0, name_of(chunk));
+}
+
+// The bytes of the chunk that holds for a frame; nothing for the default of the schema.
 std::string GsdReader::chunk(std::size_t frame, Chunk chunk, Type type, std::uint64_t rows,
                              std::uint64_t columns) {
-  const gsd::Entry* entry = file_.find(frame, name_of(chunk));
-  if (!entry && frame > 0 && count_of(0) == count_of(frame)) entry = file_.find(0, name_of(chunk));
+  const gsd::Entry* entry = entry_of(frame, chunk);
   if (!entry) return {};
   if (entry->type != static_cast<std::uint8_t>(type) || entry->rows != rows || entry->columns != columns) {
     throw Error(
@@ -57,6 +93,14 @@ std::string GsdReader::chunk(std::size_t frame, Chunk chunk, Type type, std::uin
         file_.name(), kGiveGsd);
   }
   return file_.read(*entry);
+}
+
+// Exact numbers that belong to those in single precision. Other programs append frames without exact ones,
+// which those of the first frame do not describe.
+std::string GsdReader::exact_chunk(std::size_t frame, Chunk rough, Chunk exact, std::uint64_t rows,
+                                   std::uint64_t columns) {
+  if (has_own(frame, rough) && !has_own(frame, exact)) return {};
+  return chunk(frame, exact, Type::float64, rows, columns);
 }
 
 std::uint64_t GsdReader::count_of(std::size_t frame) {
@@ -72,8 +116,8 @@ void GsdReader::read_box(std::size_t frame, Snapshot& snapshot) {
   SnapshotBox box;
   const std::string dimensions = chunk(frame, Chunk::dimensions, Type::uint8, 1, 1);
   box.is_flat = !dimensions.empty() && dimensions[0] == 2;
-  const std::string edges = chunk(frame, Chunk::box, Type::float32, 6, 1);
-  if (edges.empty()) return;
+  std::string edges = chunk(frame, Chunk::box, Type::float32, 6, 1);
+  if (edges.empty()) edges = default_edges();
   for (std::size_t tilt = kAxes + 1; tilt < 2 * kAxes; ++tilt) {
     if (single_at(edges, tilt) == 0) continue;
     throw Error("the box is triclinic, not only tilted along x across y", file_.name(),
@@ -87,8 +131,10 @@ void GsdReader::read_box(std::size_t frame, Snapshot& snapshot) {
   }
   const std::string origin = chunk(frame, Chunk::origin, Type::float64, 3, 1);
   const std::string size = chunk(frame, Chunk::size, Type::float64, 3, 1);
-  if (!origin.empty()) box.low = vector_at(origin, 0);
-  if (!size.empty()) box.size = vector_at(size, 0);
+  // Exact edges of the first frame say nothing of a box that has since changed.
+  const bool are_exact = !size.empty() && is_rounded(vector_at(size, 0), box);
+  if (are_exact) box.size = vector_at(size, 0);
+  if (are_exact && !origin.empty()) box.low = vector_at(origin, 0);
   const std::string unbounded = chunk(frame, Chunk::unbounded, Type::uint8, 1, 1);
   box.is_unbounded = !unbounded.empty() && unbounded[0] != 0;
   snapshot.box = box;
@@ -119,7 +165,7 @@ Snapshot GsdReader::read(std::size_t frame) {
   read_box(frame, snapshot);
   const std::string time = chunk(frame, Chunk::time, Type::float64, 1, 1);
   if (!time.empty() && !std::isnan(double_at(time, 0))) snapshot.time = double_at(time, 0);
-  const std::string exact = chunk(frame, Chunk::exact_position, Type::float64, count, kAxes);
+  const std::string exact = exact_chunk(frame, Chunk::position, Chunk::exact_position, count, kAxes);
   // The single precision positions must be there: their chunk bounds how many spheres there may be.
   const std::string positions = chunk(frame, Chunk::position, Type::float32, count, kAxes);
   if (positions.empty() && count > 0) {
@@ -141,7 +187,7 @@ Snapshot GsdReader::read(std::size_t frame) {
   }
   const auto of_each = [&](Chunk rough, Chunk fine, std::size_t columns, const auto& set_rough,
                            const auto& set_fine) {
-    const std::string doubles = chunk(frame, fine, Type::float64, count, columns);
+    const std::string doubles = exact_chunk(frame, rough, fine, count, columns);
     if (!doubles.empty()) {
       each(doubles, [&](Sphere& sphere, std::size_t i) { set_fine(sphere, doubles, i); });
       return;

@@ -53,6 +53,21 @@ void tilt_as_sheared(const Box& box, const Time& moment, Snapshot& snapshot) {
   }
 }
 
+// Error: an edge or the tilt is not finite, or negative; or zero where the box is periodic.
+void check_box(const SnapshotBox& box, const std::string& name) {
+  const auto refuse = [&](const std::string& problem) {
+    throw Error(problem, name, "give a box with positive edges");
+  };
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double edge = box.size[axis];
+    const std::string which = std::string("the edge of the box along ") + "xyz"[axis];
+    if (!(edge >= 0) || !std::isfinite(edge)) refuse(which + " is " + to_text(edge));
+    if (edge == 0 && box.is_periodic[axis]) refuse(which + " is zero, and the box is periodic there");
+    if (!std::isfinite(box.low[axis])) refuse("the box begins at " + to_text(box.low[axis]));
+  }
+  if (!std::isfinite(box.tilt)) refuse("the tilt of the box is " + to_text(box.tilt));
+}
+
 bool is_finite(const Vec3& vector) {
   return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
@@ -135,7 +150,20 @@ void sort_by_id(Snapshot& snapshot, const std::string& name) {
   reorder(snapshot.ids, order);
 }
 
+std::string text_of(const SnapshotBox& box) {
+  std::string size;
+  std::string periodic;
+  for (std::size_t axis = 0; axis < (box.is_flat ? kAxes - 1 : kAxes); ++axis) {
+    size += (axis == 0 ? "" : " x ") + to_text(box.size[axis]);
+    if (box.is_periodic[axis]) periodic += (periodic.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
+  }
+  return size + (periodic.empty() ? ", not periodic" : ", periodic along " + periodic) +
+         (box.tilt == 0 ? "" : ", tilted by " + to_text(box.tilt)) +
+         (box.is_unbounded ? ", unbounded: it spans the spheres" : "");
+}
+
 void check_numbers(const Snapshot& snapshot, const std::string& name) {
+  if (snapshot.box) check_box(*snapshot.box, name);
   const auto is_proper = [](double number) { return number > 0 && std::isfinite(number); };
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     const Sphere& sphere = snapshot.spheres[i];

@@ -31,6 +31,9 @@ struct SnapshotBox {
   friend bool operator==(const SnapshotBox&, const SnapshotBox&) = default;
 };
 
+/// A box in words: its edges, the axes along which it is periodic, its tilt.
+HARDBALL_EXPORT std::string text_of(const SnapshotBox& box);
+
 /// The spheres at one moment: what a frame of a trajectory holds, whatever its format.
 struct HARDBALL_EXPORT Snapshot {
   std::vector<Sphere> spheres;     ///< By ascending id, if they have ids.
@@ -65,7 +68,7 @@ HARDBALL_EXPORT SnapshotBox box_of(const Snapshot& snapshot);
 HARDBALL_EXPORT void sort_by_id(Snapshot& snapshot, const std::string& name);
 
 /// Error, with its location in the file of this name: a number is NaN or infinite, but for a mass; a radius
-/// or mass is not positive.
+/// or mass is not positive; an edge of the box is negative, or zero where the box is periodic.
 HARDBALL_EXPORT void check_numbers(const Snapshot& snapshot, const std::string& name);
 
 }  // namespace hardball

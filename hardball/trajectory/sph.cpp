@@ -18,8 +18,8 @@ std::size_t read_count(const Lines& lines) {
   const std::vector<Token> tokens = tokens_of(lines.line());
   std::size_t count = 0;
   if (tokens.size() == 1 && parse(tokens[0].text, count)) return count;
-  throw Error("a frame begins with '" + std::string(lines.line().substr(0, 40)) + "'",
-              lines.location().text(), "begin every frame with the number of its spheres");
+  throw Error("a frame begins with '" + shortened(lines.line()) + "'", lines.location().text(),
+              "begin every frame with the number of its spheres");
 }
 
 // The values of the next line. Error: there are not as many.

@@ -30,7 +30,7 @@ SphereColumns::SphereColumns(std::span<const Token> names, const TextLocation& w
     if (known == kSphereColumnNames.end()) continue;
     std::optional<std::size_t>& index = index_[static_cast<std::size_t>(known - kSphereColumnNames.begin())];
     if (index) {
-      throw Error("column '" + std::string(names[i].text) + "' appears twice", where.text(names[i].offset),
+      throw Error("column '" + shortened(names[i].text) + "' appears twice", where.text(names[i].offset),
                   "remove one of the two");
     }
     index = i;

@@ -43,15 +43,15 @@ std::vector<Token> tokens_of(std::string_view line) {
 double parse_real(const Token& token, std::string_view name, const TextLocation& location) {
   double number = 0;
   if (parse(token.text, number) && std::isfinite(number)) return number;
-  throw Error(std::string(name) + " is '" + std::string(token.text.substr(0, 40)) + "'",
-              location.text(token.offset), "give a finite number");
+  throw Error(std::string(name) + " is '" + shortened(token.text) + "'", location.text(token.offset),
+              "give a finite number");
 }
 
 std::int64_t parse_integer(const Token& token, std::string_view name, const TextLocation& location) {
   std::int64_t number = 0;
   if (parse(token.text, number)) return number;
-  throw Error(std::string(name) + " is '" + std::string(token.text.substr(0, 40)) + "'",
-              location.text(token.offset), "give an integer");
+  throw Error(std::string(name) + " is '" + shortened(token.text) + "'", location.text(token.offset),
+              "give an integer");
 }
 
 double parse_mass(const Token& token, const TextLocation& location) {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "hardball/errors/language.hpp"
@@ -40,9 +41,19 @@ Token next_token(std::string_view line, std::size_t offset);
 /// All tokens of a line.
 std::vector<Token> tokens_of(std::string_view line);
 
-/// Whether a text is a number, which it then becomes.
+/// Whether a text is a number, which it then becomes. Real numbers may have an exponent as Fortran writes it,
+/// 1d-5.
 template <class Number>
 bool parse(std::string_view text, Number& number) {
+  if constexpr (std::is_floating_point_v<Number>) {
+    constexpr std::size_t kLongest = 40;
+    const std::size_t exponent = text.find_first_of("dD");
+    if (exponent != std::string_view::npos && exponent > 0 && text.size() <= kLongest) {
+      std::string with_e(text);
+      with_e[exponent] = 'e';
+      return parse(std::string_view(with_e), number);
+    }
+  }
   if (text.starts_with('+')) text.remove_prefix(1);
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
   return status == std::errc() && end == text.data() + text.size();

@@ -65,6 +65,13 @@ void Box::set_face(Face face, const FaceProperties& properties) {
 }
 
 void Box::set_shear(const Shear& shear) {
+  check_shear(shear);
+  // Whole boxes change nothing, and would count toward those by which images may slide.
+  slide_images(
+      {shear.rate, std::fabs(shear.offset) < size_.x ? shear.offset : std::fmod(shear.offset, size_.x)});
+}
+
+void Box::check_shear(const Shear& shear) const {
   check_finite(shear.rate, "the shear rate", "shear");
   check_finite(shear.offset, "the offset", "shear");
   if (shear.rate != 0 && std::fabs(shear.rate) < kSmallestMagnitude) {
@@ -75,7 +82,15 @@ void Box::set_shear(const Shear& shear) {
     throw Error("the box is sheared, and not periodic along x and y", "shear",
                 "make both periodic, or let walls move along themselves");
   }
+}
+
+void Box::slide_images(const Shear& shear) {
   images_ = shear.is_present() ? SlidingImages(shear, size_.x, size_.y) : SlidingImages();
+}
+
+void Box::set_recorded_shear(const Shear& shear) {
+  check_shear(shear);
+  slide_images(shear);
 }
 
 bool Box::has_plain_faces() const {
@@ -128,7 +143,7 @@ bool Box::restored() {
   const std::array<FaceProperties, kFaces> faces = faces_;
   const Shear shear = this->shear();
   *this = Box(boundary_, size_);
-  set_shear(shear);
+  set_recorded_shear(shear);
   for (Face face = 0; face < kFaces; ++face) {
     if (!(faces[face] == FaceProperties())) set_face(face, faces[face]);
   }

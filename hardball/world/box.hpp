@@ -90,8 +90,12 @@ class HARDBALL_EXPORT Box {
   /// Whether all faces that are walls reflect spheres as the response says.
   bool has_plain_faces() const;
 
-  /// Lets the box be sheared. Error: x or y is not periodic; a number that is not finite or out of range.
+  /// Lets the box be sheared. Whole boxes are taken off the offset, so that it is smaller than the width.
+  /// Error: x or y is not periodic; a number that is not finite or out of range.
   void set_shear(const Shear& shear);
+  /// Lets the box be sheared with the very offset by which the images in a file are counted. Error: as for
+  /// set_shear.
+  void set_recorded_shear(const Shear& shear);
   const Shear& shear() const { return images_.shear(); }
   /// Whether images above and below slide along x, or are displaced.
   bool is_sheared() const { return images_.are_present(); }
@@ -224,6 +228,8 @@ class HARDBALL_EXPORT Box {
            position.y < upper_end_.y && position.z >= lower_end_.z && position.z < upper_end_.z;
   }
 
+  void check_shear(const Shear& shear) const;
+  void slide_images(const Shear& shear);
   // By value: passed by reference, a position would be kept in memory even where this is not called.
   Image count_boxes_beyond(Vec3 position) const;
   Image count_sheared_boxes_beyond(Vec3 position, const Time& moment) const;

@@ -100,11 +100,15 @@ std::unique_ptr<PythonSimulation> make_simulation(
 std::unique_ptr<PythonSimulation> from_scenario(const Scenario& scenario, const std::string& engine,
                                                 std::optional<double> cell_edge) {
   const EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
+  std::string notes;
   const auto simulation = [&] {
     const py::gil_scoped_release release;
-    return make_simulation(scenario, make_world(scenario, interruptible()), options, interruptible());
+    const auto on_note = [&](const std::string& note) { notes += notes.empty() ? note : "; " + note; };
+    return make_simulation(scenario, make_world(scenario, interruptible(), on_note), options,
+                           interruptible());
   };
   std::unique_ptr<PythonSimulation> made = owned(simulation());
+  if (!notes.empty() && PyErr_WarnEx(PyExc_UserWarning, notes.c_str(), 1) != 0) throw py::error_already_set();
   made->set_until(scenario.until);
   return made;
 }

@@ -207,6 +207,18 @@ class Scenarios(unittest.TestCase):
 
 
 class Files(unittest.TestCase):
+    def test_warns_where_the_start_file_has_another_box(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "start.xyz"
+            path.write_text(
+                '1\nLattice="9 0 0 0 9 0 0 0 9" Properties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 1 0 0 0.5\n'
+            )
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                hardball.Simulation.from_file(path)
+            with self.assertWarnsRegex(UserWarning, "is not that of"):
+                hardball.Simulation.from_file(path, overrides={"box.size": [10.0, 10.0, 10.0]})
+
     def test_from_extended_xyz_and_ase(self):
         import ase.io
 

@@ -364,6 +364,11 @@ INSTANTIATE_TEST_SUITE_P(
                  "gravity = [0.0, 0.0, 1e-61]\n[[spheres]]",
                  {},
                  {"gas.toml:5:11", "the magnitude of gravity is 1e-61", "between"}},
+        BadInput{"GravityWhoseSquareIsZero",
+                 "[[spheres]]",
+                 "gravity = [0.0, 0.0, -1e-300]\n[[spheres]]",
+                 {},
+                 {"gas.toml:5:11", "the magnitude of gravity is 1e-300", "between"}},
         BadInput{"ElasticBelowIsNegative",
                  "[run]",
                  "[response]\nelastic_below = -1\n[run]",
@@ -839,6 +844,25 @@ TEST_F(RefusedStart, NamesTheLineOfTheStartFile) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
+TEST_F(RefusedStart, HasABoxThatIsNotUnderstood) {
+  const std::string columns = " Properties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 0 0 0 0.5\n";
+  expect_refusal(start_from("1\nLattice=\"9 0 0 0 9 0 0 0 9\" pbc=\"yes yes no\"" + columns),
+                 {"start.xyz:2:34: ", "pbc is 'yes'", "T or F"});
+  expect_refusal(start_from("1\nLattice=\"9 0 0 0 9 0 0 0.9\"" + columns), {"start.xyz:2:10: ", "8 values"});
+}
+
+// The run uses the box of the scenario.
+TEST_F(RefusedStart, SaysThatItsBoxIsAnother) {
+  const Outcome outcome = start_from(
+      "1\nLattice=\"9 0 0 0 9 0 0 0 9\" Properties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 0 0 0 0.5\n");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  const std::string note =
+      "hardball: the box of start.xyz, 9 x 9 x 9, periodic along x, y, z, is not that of [box], which is "
+      "used\n";
+  EXPECT_EQ(outcome.messages, note);
+  EXPECT_EQ(run_program(folder_, {"check", "gas.toml"}).messages, note);
+}
+
 TEST_F(RefusedStart, IsNotARegularFile) {
   std::filesystem::create_symlink("/dev/zero", folder_ / "start.xyz");
   expect_refusal(run(), {"start.xyz: ", "not a regular file"});
@@ -900,6 +924,29 @@ TEST_F(RefusedDirectory, LeadsNowhere) {
   std::filesystem::create_symlink("../missing/file", folder_ / "out/trajectory.xyz");
   expect_refusal(run_program(folder_, {"run", "gas.toml", "--out", "out"}),
                  {"trajectory.xyz: ", "No such file"});
+}
+
+TEST_F(RefusedDirectory, HoldsLinksToFilesOfOthers) {
+  std::filesystem::create_directory(folder_ / "out");
+  std::filesystem::create_directory(folder_ / "elsewhere");
+  const auto expect_kept = [&](const std::string& name, const Arguments& arguments) {
+    write_text(folder_ / "elsewhere/quantities.csv", "precious");
+    write_text(folder_ / "precious", "precious");
+    std::filesystem::remove(folder_ / name);
+    const bool is_folder = name.ends_with("measures") || name.ends_with("checkpoints");
+    std::filesystem::create_symlink(folder_ / (is_folder ? "elsewhere" : "precious"), folder_ / name);
+    expect_refusal(run_program(folder_, arguments), {name + ": ", "symbolic link", "remove the link"});
+    EXPECT_EQ(support::read_text(folder_ / "precious"), "precious") << name;
+    EXPECT_EQ(support::read_text(folder_ / "elsewhere/quantities.csv"), "precious") << name;
+    std::filesystem::remove(folder_ / name);
+  };
+  for (const std::string name : {"trajectory.xyz", "trajectory.gsd", "events.npy", "summary.json",
+                                 "checkpoint.hbc", "report.html", "run.lock", "measures", "checkpoints"}) {
+    expect_kept("out/" + name, {"run", "gas.toml", "--out", "out", "--overwrite"});
+  }
+  ASSERT_EQ(run_program(folder_, {"run", "gas.toml", "--out", "out", "--quiet"}).exit_code, 0);
+  expect_kept("link.csv", {"convert", "out/trajectory.xyz", "link.csv", "--overwrite"});
+  expect_kept("link.xyz", {"pack", "--count", "10", "--phi", "0.1", "--out", "link.xyz", "--overwrite"});
 }
 
 TEST_F(RefusedDirectory, HoldsTheStartFile) {

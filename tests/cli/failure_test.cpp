@@ -63,6 +63,23 @@ class Failure : public testing::Test {
   ScratchFolder folder_;
 };
 
+TEST_F(Failure, SaysThatSpheresTouchAtTheStart) {
+  std::string spheres = "64\nLattice=\"4 0 0 0 4 0 0 0 4\" Properties=pos:R:3:velo:R:3:radius:R:1\n";
+  for (int i = 0; i < 64; ++i) {
+    spheres += std::to_string(i % 4) + ".5 " + std::to_string(i / 4 % 4) + ".5 " + std::to_string(i / 16) +
+               ".5 " + (i == 0 ? "1 0.3 0.2" : "0 0 0") + " 0.5\n";
+  }
+  write_text(folder_ / "touching.xyz", spheres);
+  write_text(folder_ / "touching.toml",
+             "[box]\nsize = [4, 4, 4]\nboundary = ['periodic', 'periodic', 'periodic']\n"
+             "[start]\nfile = 'touching.xyz'\n[run]\nuntil = 1\n[measures]\nnames = []\n");
+  const Outcome outcome = run_program(folder_, {"run", "touching.toml", "--quiet"});
+  expect_message(outcome, "they touch at the start and are locked among others");
+  const Outcome inelastic =
+      run_program(folder_, {"run", "touching.toml", "--quiet", "--set", "response.restitution=0.9"});
+  expect_message(inelastic, "or place spheres that touch at the start farther apart");
+}
+
 TEST_F(Failure, OfAFullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   std::filesystem::create_directory(folder_ / "out");

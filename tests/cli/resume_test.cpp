@@ -91,10 +91,24 @@ TEST_F(Resume, GoesOnAfterAnInterruption) {
   }
 }
 
+TEST_F(Resume, AWholeRunHasNothingToDo) {
+  const json whole = run({"run", "gas.toml", "--out", "out"});
+  for (const Arguments& arguments :
+       {Arguments{"resume", "out"}, {"resume", "out", "--until", "5"}, {"resume", "out", "--until", "5.0"}}) {
+    const Outcome outcome = run_program(folder_, arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_EQ(
+        outcome.messages,
+        "hardball: out: the run is whole: it has reached its end at time 5; --until gives a later one\n");
+  }
+  EXPECT_EQ(run({"resume", "out"}), whole);
+  EXPECT_EQ(json::parse(read_text(folder_ / "out/summary.json")), whole);
+}
+
 TEST_F(Resume, RefusesWhatIsNoUnfinishedRun) {
   expect_refusal({"resume", "nowhere"}, "nowhere/checkpoint.hbc: there is no checkpoint");
   run({"run", "gas.toml", "--out", "out"});
-  expect_refusal({"resume", "out"}, "out: the run has reached time 5; give a later end with --until");
   expect_refusal({"resume", "out", "--until", "4"}, "the run has reached time 5");
   expect_refusal({"resume", "out", "--until", "x"}, "--until");
   const std::string checkpoint = read_text(folder_ / "out/checkpoint.hbc");

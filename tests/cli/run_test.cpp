@@ -484,5 +484,17 @@ TEST_F(Run, StartsAtOnceInABoxOfAnyShape) {
   }
 }
 
+TEST(Verify, FindsOneHistoryOfABoxThatIsDisplacedByManyBoxes) {
+  const ScratchFolder folder;
+  support::write_text(folder / "sheared.toml",
+                      "[box]\nboundary = ['periodic', 'periodic', 'periodic']\nsize = [10, 10, 10]\n"
+                      "shear_rate = 0.1\nshear_offset = 2e10\n"
+                      "[[spheres]]\nradius = 0.5\npositions = [[2, 5, 5], [8, 5, 5], [5, 1, 5]]\n"
+                      "velocities = [[1, 0, 0], [-1, 0, 0], [0, -0.2, 0.1]]\n[run]\nuntil = 40\n");
+  const Outcome outcome = run_program(folder, {"verify", "sheared.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  EXPECT_NE(outcome.output.find("all runs are the same"), std::string::npos) << outcome.output;
+}
+
 }  // namespace
 }  // namespace hardball::run_test

@@ -283,6 +283,77 @@ class Processes(unittest.TestCase):
         self.assertEqual(len(messages), 1, done.stderr)
         self.assertIn("overlap", messages[0])
 
+class Machines(unittest.TestCase):
+    """Processes that do not share their files, or their command lines."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        # Each process runs in a directory of its own.
+        self.wrapper = self.folder / "on_its_machine"
+        self.wrapper.write_text('#!/bin/sh\ncd "$(dirname "$0")/machine_$OMPI_COMM_WORLD_RANK" && exec "$@"\n')
+        self.wrapper.chmod(0o755)
+        for process in range(3):
+            (self.folder / f"machine_{process}").mkdir()
+            (self.folder / f"machine_{process}" / "gas.toml").write_text(GAS)
+
+    def start(self, *arguments):
+        return subprocess.run(MPIRUN + ["-n", "3", str(self.wrapper), PROGRAM, *arguments], env=ENVIRONMENT,
+                              capture_output=True, text=True, timeout=120)
+
+    def expect_one_message(self, done, code, *parts):
+        self.assertEqual(done.returncode, code, done.stderr)
+        messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
+        self.assertEqual(len(messages), 1, done.stderr)
+        for part in parts:
+            self.assertIn(part, messages[0])
+
+    def test_the_same_files_on_all_are_run(self):
+        self.assertEqual(self.start("run", "gas.toml", "--quiet").returncode, 0)
+
+    def test_another_scenario_is_refused(self):
+        path = self.folder / "machine_2" / "gas.toml"
+        for old, new in (("count = 4000", "count = 4001"), ("temperature = 1.0", "temperature = 1.000001"),
+                         ("until = 3.0", "until = 2.0")):
+            path.write_text(GAS.replace(old, new))
+            self.expect_one_message(self.start("run", "gas.toml", "--quiet"), 2,
+                                    "process 2 has another scenario than process 0", "common file system")
+
+    def test_a_missing_scenario_is_refused(self):
+        for process in (0, 1, 2):
+            path = self.folder / f"machine_{process}" / "gas.toml"
+            path.rename(path.with_suffix(".away"))
+            self.expect_one_message(self.start("run", "gas.toml", "--quiet"), 2, "gas.toml: the file cannot be read")
+            path.with_suffix(".away").rename(path)
+
+    def test_another_command_line_is_refused(self):
+        self.wrapper.write_text('#!/bin/sh\ncd "$(dirname "$0")/machine_0" && exec "$@" --until 1.$OMPI_COMM_WORLD_RANK\n')
+        self.expect_one_message(self.start("run", "gas.toml", "--quiet"), 2,
+                                "process 1 has another command line than process 0")
+
+    def test_another_start_file_is_refused(self):
+        scenario = GAS[:GAS.index("[[spheres]]")] + '[start]\nfile = "start.xyz"\n' + GAS[GAS.index("[run]"):]
+        for process in range(3):
+            folder = self.folder / f"machine_{process}"
+            (folder / "gas.toml").write_text(scenario)
+            (folder / "start.xyz").write_text("2\nProperties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 1 0 0 0.5\n"
+                                              f"9 5 5 0 0.{process // 2} 0 0.5\n")
+        self.expect_one_message(self.start("run", "gas.toml", "--quiet"), 2, "process 2 has another start file")
+
+    def test_another_checkpoint_is_refused(self):
+        for process, until in ((0, "1"), (1, "1"), (2, "2")):
+            folder = self.folder / f"machine_{process}"
+            run(["run", str(folder / "gas.toml"), "--out", str(folder / "out"), "--until", until, "--quiet"])
+        self.expect_one_message(self.start("resume", "out", "--until", "3", "--quiet"), 2,
+                                "has another checkpoint than process 0")
+        (self.folder / "machine_1" / "out" / "checkpoint.hbc").unlink()
+        self.expect_one_message(self.start("resume", "out", "--until", "3", "--quiet"), 2, "there is no checkpoint")
+
+    def test_an_unknown_option_is_refused_once(self):
+        self.expect_one_message(self.start("run", "gas.toml", "--nonsense"), 2, "--nonsense")
+
+
 
 if __name__ == "__main__":
     # Where there is no network interface at all, for one.

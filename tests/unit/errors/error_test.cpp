@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace hardball::error_test {
 namespace {
@@ -40,6 +41,18 @@ TEST(ToText, IsTheShortestThatReadsBackAsTheSameNumber) {
        {1.0 / 3, 2.2250738585072014e-308, 1.7976931348623157e308, 123456789.123456789}) {
     EXPECT_EQ(std::stod(to_text(number)), number);
   }
+}
+
+TEST(Error, IsShortWhateverItQuotes) {
+  EXPECT_EQ(shortened("word"), "word");
+  EXPECT_EQ(shortened(std::string(60, 'a')), std::string(60, 'a'));
+  EXPECT_EQ(shortened(std::string(61, 'a')), std::string(57, 'a') + "...");
+  // Characters of UTF-8 stay whole.
+  std::string umlauts;
+  for (int i = 0; i < 40; ++i) umlauts += "\xC3\xA4";
+  EXPECT_EQ(shortened(umlauts), umlauts.substr(0, 56) + "...");
+  const std::string endless(1'000'000, 'a');
+  EXPECT_LT(std::string(Error(endless, endless, endless).what()).size(), 15'000U);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/replace_file.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -35,6 +36,33 @@ TEST(OutputFile, ContainsWhatWasAppended) {
   file.close();
   EXPECT_EQ(read_text(folder / "file"), "one two three");
   EXPECT_FALSE(file.is_open());
+}
+
+TEST(OutputFile, IsNotWrittenThroughALink) {
+  const ScratchFolder folder;
+  write_text(folder / "precious", "kept");
+  std::filesystem::create_symlink("precious", folder / "link");
+  EXPECT_THROW(OutputFile(folder / "link"), Error);
+  std::filesystem::create_hard_link(folder / "precious", folder / "name");
+  OutputFile file(folder / "name");
+  file.append("new");
+  file.close();
+  EXPECT_EQ(read_text(folder / "precious"), "kept");
+  EXPECT_EQ(read_text(folder / "name"), "new");
+}
+
+TEST(ReplaceFile, WritesThroughNoLink) {
+  const ScratchFolder folder;
+  write_text(folder / "precious", "kept");
+  std::filesystem::create_symlink("precious", folder / "file");
+  std::filesystem::create_symlink("precious", folder / "file.part");
+  EXPECT_THROW(replace_file(folder / "file", "new"), RunFailure);
+  EXPECT_EQ(read_text(folder / "precious"), "kept");
+  EXPECT_FALSE(std::filesystem::exists(folder / "file.part")) << "is removed, as any unfinished file";
+  replace_file(folder / "file", "new");
+  EXPECT_EQ(read_text(folder / "precious"), "kept");
+  EXPECT_EQ(read_text(folder / "file"), "new");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder / "file"));
 }
 
 TEST(OutputFile, GoesOnWhereItIsCutBackTo) {

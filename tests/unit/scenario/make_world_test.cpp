@@ -279,6 +279,32 @@ TEST(MakeWorld, ReadsTheStartFile) {
   EXPECT_EQ(world.path(1).velocity, (Vec3{0.5, 0, 0}));
 }
 
+TEST(MakeWorld, SaysThatTheStartFileHasAnotherBox) {
+  const ScratchFolder folder;
+  const auto note_of = [&](const std::string& comment, Boundary boundary) {
+    write_text(folder / "start.xyz",
+               "1\n" + comment + " Properties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 0 0 0 0.25\n");
+    Scenario scenario = make_scenario(boundary, 10);
+    scenario.start_file = folder / "start.xyz";
+    std::string notes;
+    make_world(scenario, {}, [&](const std::string& note) { notes += note; });
+    return notes;
+  };
+  const std::string ten = "Lattice=\"10 0 0 0 10 0 0 0 10\"";
+  const std::string closed = ten + " pbc=\"F F F\"";
+  EXPECT_EQ(note_of("", Boundary::periodic), "");
+  EXPECT_EQ(note_of(ten, Boundary::periodic), "");
+  EXPECT_EQ(note_of(ten + " Origin=\"-5 -5 -5\"", Boundary::periodic), "");
+  EXPECT_EQ(note_of(closed, Boundary::wall), "");
+  EXPECT_EQ(note_of(closed + " unbounded=T Origin=\"1 1 1\"", Boundary::wall), "");
+  EXPECT_EQ(note_of(ten, Boundary::wall), "the box of " + (folder / "start.xyz").string() +
+                                              ", 10 x 10 x 10, periodic along x, y, z, is not that of [box], "
+                                              "which is used");
+  EXPECT_NE(note_of(closed, Boundary::periodic), "");
+  EXPECT_NE(note_of(closed + " Origin=\"1 0 0\"", Boundary::wall), "");
+  EXPECT_NE(note_of("Lattice=\"10 0 0 0 10 0 0 0 10.5\"", Boundary::periodic), "");
+}
+
 TEST(MakeWorld, GivesTheSpheresOfAFileWithoutVelocitiesThoseOfTheScenario) {
   const ScratchFolder folder;
   write_text(folder / "start.sph", "3\n10 10 10\na 1 2 3 0.5\nb 4 -5 16 0.25\nc 7 8 9 0.5\n");

@@ -46,5 +46,11 @@ TEST(Suggestion, TakesTheFirstOfEquallyNearOnes) {
   EXPECT_EQ(suggestion("az", kTwo), did_you_mean("ax"));
 }
 
+TEST(Suggestion, ForAVeryLongWordTakesNoTime) {
+  const std::array<std::string_view, 2> names{"radius", "radii"};
+  EXPECT_EQ(suggestion("radiuss", names), "did you mean 'radius'?");
+  EXPECT_EQ(suggestion(std::string(5'000'000, 'r'), names), "choose among 'radius', 'radii'");
+}
+
 }  // namespace
 }  // namespace hardball::nearest_name_test

@@ -387,5 +387,59 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"TableAsNumber", "run=5", "--set run", "make it a table, [run]"}),
     [](const testing::TestParamInfo<Refusal>& test) { return test.param.name; });
 
+// The parser calls itself for each level.
+TEST(ParseScenario, RefusesMoreLevelsThanTheStackHolds) {
+  const std::size_t many = 200'000;
+  std::string dotted = "a";
+  for (std::size_t i = 0; i < many; ++i) dotted += ".a";
+  std::string spaced = "\"a.b\"";
+  for (std::size_t i = 0; i < many; ++i) spaced += " . 'a'";
+  std::string tables;
+  for (std::size_t i = 0; i < many; ++i) tables += "{a = ";
+  const std::string arrays(many, '[');
+  for (const std::string& text :
+       {dotted + " = 1", spaced + " = 1", "[" + dotted + "]", "[[" + dotted + "]]", "a = " + tables,
+        "a = " + arrays, "x = {" + dotted + " = 1}", "a = \"\\\"\" # [\n" + dotted + " = 1"}) {
+    try {
+      parse_scenario(text, "gas.toml");
+      FAIL() << text.substr(0, 20);
+    } catch (const Error& error) {
+      EXPECT_NE(error.problem().find("more than 32 levels"), std::string::npos) << error.what();
+      EXPECT_LT(std::string(error.what()).size(), 400U);
+    }
+  }
+  EXPECT_THROW(parse_scenario("", "gas.toml", std::vector<std::string>{dotted + "=1"}), Error);
+}
+
+// Brackets and dots that are none of keys and values.
+TEST(ParseScenario, DoesNotCountLevelsInStringsAndComments) {
+  const std::string brackets(100, '[');
+  const std::string dots(100, '.');
+  const std::string thrice(3, '\'');
+  for (const std::string& value : {"\"" + brackets + dots + "\"", "'" + brackets + dots + "'",
+                                   "1 # " + brackets + dots, "\"\"\"\n" + brackets + "\"" + dots + "\n\"\"\"",
+                                   thrice + brackets + "\n" + dots + thrice, "\"\\\"" + brackets + "\""}) {
+    try {
+      parse_scenario("name = " + value, "gas.toml");
+      FAIL() << value;
+    } catch (const Error& error) {
+      EXPECT_NE(error.problem().find("unknown key 'name'"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(ParseScenario, ShortensWhatItQuotes) {
+  const std::string endless(5'000'000, 'k');
+  for (const std::string& text :
+       {endless + " = 1", "[box]\nboundary = [\"" + endless + "\"]", endless + " = 1\n" + endless + " = 2"}) {
+    try {
+      parse_scenario(text, "gas.toml");
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_LT(std::string(error.what()).size(), 800U) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hardball::scenario_test

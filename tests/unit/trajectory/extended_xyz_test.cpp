@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -172,6 +174,86 @@ TEST(ReadSnapshot, UnderstandsWhatOtherProgramsWrite) {
   EXPECT_EQ(snapshot.spheres[0].position, (Vec3{1.5, 2, 3}));
 }
 
+const std::string kColumns = " Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1\n";
+const std::string kSphere = "Si 1 2 3 4 5 6 0.5\n";
+const std::string kLattice = "Lattice=\"4 0 0 0 5 0 0 0 6\" ";
+
+using Periodic = std::array<bool, kAxes>;
+
+std::optional<SnapshotBox> box_with(const std::string& comment) {
+  return parse("1\n" + comment + kColumns + kSphere).box;
+}
+
+TEST(ReadSnapshot, TakesALatticeWithoutPbcForPeriodic) {
+  const auto box = box_with(kLattice);
+  ASSERT_TRUE(box);
+  EXPECT_EQ(box->size, (Vec3{4, 5, 6}));
+  EXPECT_EQ(box->low, Vec3{});
+  EXPECT_EQ(box->is_periodic, (Periodic{true, true, true}));
+  EXPECT_FALSE(box_with("energy=1"));
+  EXPECT_FALSE(box_with("pbc=\"F F F\""));
+  EXPECT_EQ(box_with("Lattice=\"4 0 0 0 5 0 0 0 1\" dimensions=2")->is_periodic,
+            (Periodic{true, true, false}));
+}
+
+TEST(ReadSnapshot, UnderstandsPbcAsProgramsWriteIt) {
+  for (const std::string pbc :
+       {"\"T T F\"", "\"True true FALSE\"", "'1 1 0'", "[T,T,F]", "[ True, true, False ]", "{T T F}"}) {
+    EXPECT_EQ(box_with(kLattice + "pbc=" + pbc)->is_periodic, (Periodic{true, true, false})) << pbc;
+  }
+}
+
+TEST(ReadSnapshot, ReadsLatticesInBracketsAndBraces) {
+  for (const std::string lattice : {"[[4,0,0],[0,5,0],[0,0,6]]", "[4, 0, 0, 0, 5, 0, 0, 0, 6]",
+                                    "{4 0 0 0 5 0 0 0 6}", "'4 0 0 0 5 0 0 0 6d0'"}) {
+    EXPECT_EQ(box_with("virial={1 2 3} Lattice=" + lattice)->size, (Vec3{4, 5, 6})) << lattice;
+  }
+}
+
+TEST(ReadSnapshot, ReadsTheOrigin) {
+  EXPECT_EQ(box_with(kLattice + "Origin=\"-2 -2.5 1e1\"")->low, (Vec3{-2, -2.5, 10}));
+  EXPECT_EQ(box_with(kLattice + "cell_origin=[-2, -2.5, 10]")->low, (Vec3{-2, -2.5, 10}));
+}
+
+TEST(ReadSnapshot, ReadsATiltedLatticeWhoseCornerIsTheOrigin) {
+  const auto box = box_with("Lattice=\"10 0 0 3 10 0 0 0 10\"");
+  EXPECT_EQ(box->tilt, 3);
+  EXPECT_EQ(box->corner(), Vec3{});
+}
+
+TEST(ReadSnapshot, ReadsKeysAndValuesInQuotes) {
+  const Snapshot snapshot =
+      parse("1 \ncomment=\"a Lattice=b \\\"pbc=c\\\" d\" \"a key\"=1 energy = -1.5e3 flag Time = 2.5" +
+            kColumns + kSphere);
+  EXPECT_EQ(snapshot.time, 2.5);
+  EXPECT_FALSE(snapshot.box);
+}
+
+TEST(ReadSnapshot, KnowsColumnsByTheNamesOfOtherPrograms) {
+  for (const std::string velocity : {"velo", "vel", "velocity", "velocities", "Velo"}) {
+    const Snapshot snapshot =
+        parse("1\nProperties=Pos:R:3:" + velocity + ":R:3:Radius:R:1:Mass:R:1\n1 2 3 4 5 6 0.5 7\n");
+    EXPECT_EQ(snapshot.spheres.at(0).velocity, (Vec3{4, 5, 6})) << velocity;
+    EXPECT_EQ(snapshot.spheres.at(0).radius, 0.5);
+    EXPECT_EQ(snapshot.spheres.at(0).mass, 7);
+  }
+}
+
+TEST(ReadSnapshot, ReadsExponentsOfFortran) {
+  const Snapshot snapshot = parse("1\n" + kColumns + "Si 1.d0 2D+1 .5d-1 -1d0 5 6 0.5d0\n");
+  EXPECT_EQ(snapshot.spheres.at(0).position, (Vec3{1, 20, 0.05}));
+  EXPECT_EQ(snapshot.spheres.at(0).velocity, (Vec3{-1, 5, 6}));
+}
+
+TEST(ReadSnapshot, NumbersSpeciesInTheOrderOfTheirNames) {
+  const std::string end = " 1 2 3 4 5 6 0.5\n";
+  const Snapshot snapshot = parse("4\n" + kColumns + "Si" + end + "O" + end + "Si" + end + "H" + end);
+  const std::array<SpeciesId, 4> species{0, 1, 0, 2};
+  for (std::size_t i = 0; i < species.size(); ++i) EXPECT_EQ(snapshot.spheres.at(i).species, species[i]);
+  const Snapshot typed = parse("1\nProperties=species:S:1:type:I:1:pos:R:3:velo:R:3:radius:R:1\nSi 4" + end);
+  EXPECT_EQ(typed.spheres.at(0).species, 3);
+}
+
 struct BadFile {
   std::string name;
   std::string text;
@@ -273,6 +355,36 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"Infinite", "1\n" + kGood + "inf 2 3 4 5 6 7\n", "start.xyz:3:1", "pos is 'inf'"},
         BadFile{"TooLarge", "1\n" + kGood + "1e999 2 3 4 5 6 7\n", "start.xyz:3:1", "pos is '1e999'"},
         BadFile{"BadTime", "1\nTime=now " + kGood + "1 2 3 4 5 6 7\n", "start.xyz:2:6", "Time is 'now'"},
+        BadFile{"PbcOfOtherWords", "0\n" + kLattice + "pbc=\"yes yes no\" " + kGood, "start.xyz:2:34",
+                "pbc is 'yes'"},
+        BadFile{"PbcOfOneValue", "0\n" + kLattice + "pbc=T " + kGood, "start.xyz:2:33", "pbc has 1 value"},
+        BadFile{"PbcWithoutBlanks", "0\n" + kLattice + "pbc=\"TTF\" " + kGood, "start.xyz:2:34",
+                "pbc has 1 value"},
+        BadFile{"PbcWithoutLattice", "0\npbc=\"T F F\" " + kGood, "start.xyz:2:6", "no Lattice"},
+        BadFile{"EightNumbers", "0\nLattice=\"5.44 0.0 0.0 0.0 5.44 0.0 0.0 0.05.44\" " + kGood,
+                "start.xyz:2:10", "Lattice has 8 values"},
+        BadFile{"NoNumberInLattice", "0\nLattice=\"4 0 0 0 5 0 0 0 6.4.4\" " + kGood, "start.xyz:2:26",
+                "Lattice is '6.4.4'"},
+        BadFile{"ExponentOfMathematica", "0\nLattice=\"4*^0 0 0 0 5 0 0 0 6\" " + kGood, "start.xyz:2:10",
+                "Lattice is '4*^0'"},
+        BadFile{"EmptyLattice", "0\nLattice " + kGood, "start.xyz:2:8", "Lattice has 0 values"},
+        BadFile{"NegativeEdge", "0\nLattice=\"4 0 0 0 -5 0 0 0 6\" " + kGood, "start.xyz:2:10",
+                "an edge of -5"},
+        BadFile{"NoEdge", "0\nLattice=\"4 0 0 0 5 0 0 0 0\" " + kGood, "start.xyz:2:10",
+                "periodic along z and has no size"},
+        BadFile{"Triclinic", "0\nLattice=\"4 0 0 0 5 0 1 0 6\" " + kGood, "start.xyz:2:10", "triclinic"},
+        BadFile{"TiltedMatrix", "0\nLattice=[[4,0,0],[1,5,0],[0,0,6]] " + kGood, "start.xyz:2:10",
+                "tilted box in brackets"},
+        BadFile{"BadOrigin", "0\n" + kLattice + "Origin=\"1 2\" " + kGood, "start.xyz:2:37",
+                "Origin has 2 values"},
+        BadFile{"BadUnbounded", "0\n" + kLattice + "unbounded=maybe " + kGood, "start.xyz:2:39",
+                "unbounded is 'maybe'"},
+        BadFile{"KeyInAnotherCase", "0\nlattice=\"4 0 0 0 5 0 0 0 6\" " + kGood, "start.xyz:2:1",
+                "another case"},
+        BadFile{"KeyTwice", "0\n" + kLattice + kLattice + kGood, "start.xyz:2:29", "occurs twice"},
+        BadFile{"OpenBracket", "0\nLattice=[[4,0,0] " + kGood, "start.xyz:2:9", "never closed"},
+        BadFile{"VelocityTwice", "1\nProperties=pos:R:3:velo:R:3:vel:R:3:radius:R:1\n0 0 0 0 0 0 0 0 0 1\n",
+                "start.xyz:2:29", "appears twice"},
         BadFile{"BadId", "1\nProperties=id:I:1:pos:R:3:velo:R:3:radius:R:1\n1.5 2 3 4 5 6 7 8\n",
                 "start.xyz:3:1", "id is '1.5'"},
         BadFile{"IdTwice",

@@ -441,6 +441,119 @@ TEST(Trajectory, KeepsSpheresWithinTheBoxInSinglePrecision) {
   EXPECT_EQ(coordinate(2), 0.0F);
 }
 
+// A GSD file as other programs write it, chunk by chunk, in the order of frames and names.
+class GsdChunks {
+ public:
+  template <class Number>
+  void add(std::uint64_t frame, gsd::Chunk chunk, gsd::Type type, std::uint32_t columns,
+           const std::vector<Number>& numbers) {
+    gsd::Entry entry{frame,   numbers.size() / columns,          kBegin + chunks_.size(),
+                     columns, static_cast<std::uint16_t>(chunk), static_cast<std::uint8_t>(type)};
+    entries_ += gsd::bytes_of(entry);
+    for (const Number number : numbers) append_little_endian(chunks_, number);
+  }
+  void add(std::uint64_t frame, gsd::Chunk chunk, std::uint32_t columns, const std::vector<float>& numbers) {
+    std::vector<std::uint32_t> bits;
+    for (const float number : numbers) bits.push_back(std::bit_cast<std::uint32_t>(number));
+    add(frame, chunk, gsd::Type::float32, columns, bits);
+  }
+
+  std::string bytes() const {
+    std::string names;
+    for (const std::string_view name : gsd::kChunkNames) names += std::string(name) + '\0';
+    names.resize(kNames);
+    std::string index = entries_;
+    index.resize(kIndex);
+    return gsd::bytes_of(gsd::Header{gsd::kHeaderBytes, kIndex / gsd::Entry::kBytes,
+                                     gsd::kHeaderBytes + kIndex, kNames / gsd::kNameBytes}) +
+           index + names + chunks_;
+  }
+
+ private:
+  static constexpr std::size_t kIndex = 32 * gsd::Entry::kBytes;
+  static constexpr std::size_t kNames = 16 * gsd::kNameBytes;
+  static constexpr std::size_t kBegin = gsd::kHeaderBytes + kIndex + kNames;
+
+  std::string entries_;
+  std::string chunks_;
+};
+
+Snapshot frame_of(const GsdChunks& chunks, std::size_t frame) {
+  const ScratchFolder folder;
+  write_text(folder / "other.gsd", chunks.bytes());
+  return open_snapshots(folder / "other.gsd")->read(frame);
+}
+
+TEST(GsdOfOthers, KeepsTheBoxWhereTheNumberOfSpheresChanges) {
+  GsdChunks chunks;
+  chunks.add(0, gsd::Chunk::box, 1, {8, 7, 6, 0, 0, 0});
+  chunks.add<std::uint32_t>(0, gsd::Chunk::count, gsd::Type::uint32, 1, {2});
+  chunks.add(0, gsd::Chunk::position, 3, {-3, 0, 0, 0, 0, 0});
+  chunks.add(0, gsd::Chunk::diameter, 1, {0.5, 0.5});
+  chunks.add<std::uint32_t>(1, gsd::Chunk::count, gsd::Type::uint32, 1, {3});
+  chunks.add(1, gsd::Chunk::position, 3, {-3, 0, 0, 0, 0.5, 0, 2, 2, 2});
+  chunks.add(2, gsd::Chunk::position, 3, {-2, 0, 0, 0, 0, 0});
+  const Snapshot more = frame_of(chunks, 1);
+  ASSERT_TRUE(more.box);
+  EXPECT_EQ(more.box->size, (Vec3{8, 7, 6}));
+  EXPECT_EQ(more.box->is_periodic, (std::array<bool, kAxes>{true, true, true}));
+  ASSERT_EQ(more.spheres.size(), 3U);
+  EXPECT_EQ(more.spheres[1].position, (Vec3{4, 4, 3}));
+  EXPECT_EQ(more.spheres[1].radius, 0.5);
+  EXPECT_EQ(more.spheres[1].mass, 1);
+  const Snapshot as_first = frame_of(chunks, 2);
+  ASSERT_EQ(as_first.spheres.size(), 2U);
+  EXPECT_EQ(as_first.spheres[0].position, (Vec3{2, 3.5, 3}));
+  EXPECT_EQ(as_first.spheres[0].radius, 0.25);
+}
+
+TEST(GsdOfOthers, HasAUnitCubeWhereItSaysNothing) {
+  GsdChunks chunks;
+  chunks.add<std::uint32_t>(0, gsd::Chunk::count, gsd::Type::uint32, 1, {1});
+  chunks.add(0, gsd::Chunk::position, 3, {0.25, 0, 0});
+  const Snapshot snapshot = frame_of(chunks, 0);
+  ASSERT_TRUE(snapshot.box);
+  EXPECT_EQ(snapshot.box->size, (Vec3{1, 1, 1}));
+  EXPECT_EQ(snapshot.spheres.at(0).position, (Vec3{0.75, 0.5, 0.5}));
+}
+
+TEST(GsdOfOthers, IsNotReadWithExactNumbersOfAnotherFrame) {
+  GsdChunks chunks;
+  const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+  chunks.add(0, gsd::Chunk::box, 1, {8, 8, 8, 0, 0, 0});
+  chunks.add<std::uint32_t>(0, gsd::Chunk::count, gsd::Type::uint32, 1, {1});
+  chunks.add(0, gsd::Chunk::position, 3, {1, 0, 0});
+  chunks.add(0, gsd::Chunk::diameter, 1, {0.5});
+  chunks.add<std::uint64_t>(0, gsd::Chunk::size, gsd::Type::float64, 1, {bits(8), bits(8), bits(8)});
+  chunks.add<std::uint64_t>(0, gsd::Chunk::exact_position, gsd::Type::float64, 3,
+                            {bits(5), bits(4), bits(4)});
+  chunks.add<std::uint64_t>(0, gsd::Chunk::exact_radius, gsd::Type::float64, 1, {bits(0.25)});
+  chunks.add(1, gsd::Chunk::box, 1, {6, 6, 6, 0, 0, 0});
+  chunks.add(1, gsd::Chunk::position, 3, {2, 0, 0});
+  chunks.add(1, gsd::Chunk::diameter, 1, {1});
+  EXPECT_EQ(frame_of(chunks, 0).spheres.at(0).position, (Vec3{5, 4, 4}));
+  const Snapshot later = frame_of(chunks, 1);
+  EXPECT_EQ(later.box->size, (Vec3{6, 6, 6}));
+  EXPECT_EQ(later.spheres.at(0).position, (Vec3{5, 3, 3}));
+  EXPECT_EQ(later.spheres.at(0).radius, 0.5);
+}
+
+TEST(GsdOfOthers, IsRefusedWithABoxThatIsNone) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const std::vector<float>& box : std::vector<std::vector<float>>{{8, 8, 8, 0, 0.25, 0},
+                                                                       {8, 8, 8, 0, 0, 1},
+                                                                       {8, 0, 8, 0, 0, 0},
+                                                                       {8, 8, -8, 0, 0, 0},
+                                                                       {nan, 8, 8, 0, 0, 0},
+                                                                       {8, 8, 8, nan, 0, 0}}) {
+    GsdChunks chunks;
+    chunks.add(0, gsd::Chunk::box, 1, box);
+    chunks.add<std::uint32_t>(0, gsd::Chunk::count, gsd::Type::uint32, 1, {1});
+    chunks.add(0, gsd::Chunk::position, 3, {0, 0, 0});
+    EXPECT_THROW(frame_of(chunks, 0), Error) << testing::PrintToString(box);
+  }
+}
+
 TEST(Trajectory, OfGsdKeepsBonds) {
   const ScratchFolder folder;
   Snapshot snapshot;

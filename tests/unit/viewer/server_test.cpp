@@ -9,6 +9,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <barrier>
 #include <cerrno>
@@ -48,6 +49,7 @@ class Connection {
   void say(const std::string& text) const {
     EXPECT_EQ(::send(socket_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
   }
+  int descriptor() const { return socket_; }
   /// Closes the sending side.
   void fall_silent() const { shutdown(socket_, SHUT_WR); }
   /// The next bytes, at most `most`; empty at the end.
@@ -344,7 +346,7 @@ TEST_F(ServerTest, SurvivesInvalidRequests) {
 // They are held until the end of the test.
 TEST_F(ServerTest, AnswersBesideManyUnfinishedRequests) {
   constexpr std::chrono::seconds kPatience(100);
-  const Server server(*recording_, kSmallPage, 0, kPatience);
+  const Server server(*recording_, kSmallPage, 0, {.patience = kPatience});
   std::vector<std::unique_ptr<Connection>> unfinished;
   for (int i = 0; i < 200; ++i) {
     unfinished.push_back(std::make_unique<Connection>(server.port()));
@@ -359,6 +361,65 @@ TEST_F(ServerTest, AnswersBesideManyUnfinishedRequests) {
     ASSERT_TRUE(connection->is_waiting());
     ASSERT_EQ(connection->repetitions(), 0U) << "which takes a second";
   }
+}
+
+// The patience of a server that waits only for these tests.
+constexpr ClientLimits kImpatient{.patience = std::chrono::milliseconds(300)};
+
+TEST_F(ServerTest, EndsAHeadThatTakesTooLong) {
+  server_.emplace(*recording_, kSmallPage, 0, kImpatient);
+  const Connection connection(server_->port());
+  std::atomic<bool> has_ended = false;
+  std::thread trickle([&] {
+    for (int i = 0; i < 600 && !has_ended; ++i) {
+      // Each byte comes in time; all of them do not.
+      if (::send(connection.descriptor(), "G", 1, MSG_NOSIGNAL) < 0) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    has_ended = true;
+  });
+  EXPECT_EQ(connection.hear_all(), "");
+  EXPECT_FALSE(has_ended.exchange(true)) << "the client gave up, and not the server";
+  trickle.join();
+}
+
+TEST_F(ServerTest, EndsAHeadThatIsTooLong) {
+  const Connection connection(server_->port());
+  const std::string line = "X: " + std::string(1000, 'x') + "\r\n";
+  std::string head = "GET / HTTP/1.1\r\n";
+  while (head.size() <= ClientLimits().head_bytes) head += line;
+  connection.say(head);
+  EXPECT_TRUE(connection.hear_all().starts_with("HTTP/1.1 431 "));
+}
+
+TEST_F(ServerTest, LetsTheOwnerInBesideManyStrangers) {
+  server_.emplace(*recording_, kSmallPage, 0,
+                  ClientLimits{.patience = std::chrono::hours(1), .strangers = 20});
+  std::vector<std::unique_ptr<Connection>> strangers;
+  for (int i = 0; i < 600; ++i) {
+    strangers.push_back(std::make_unique<Connection>(server_->port()));
+    strangers.back()->say("G");
+  }
+  const auto answer = get("/api/header");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 200);
+  const auto waiting = [&] {
+    return std::ranges::count_if(strangers, [](const auto& stranger) { return stranger->is_waiting(); });
+  };
+  for (int i = 0; i < 60'000 && waiting() > 20; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_LE(waiting(), 20) << "those that came first give way";
+  EXPECT_GT(waiting(), 0);
+}
+
+TEST_F(ServerTest, EndsWithAllConnections) {
+  server_.emplace(*recording_, kSmallPage, 0, ClientLimits{.patience = std::chrono::hours(1)});
+  const Connection silent(server_->port());
+  const Connection unfinished(server_->port());
+  unfinished.say("GET / HTTP/1.1\r\nHost: ");
+  ASSERT_TRUE(get("/api/header"));
+  server_.reset();
+  EXPECT_EQ(silent.hear_all(), "");
 }
 
 TEST_F(ServerTest, UsesTheGivenPort) {
@@ -392,7 +453,7 @@ TEST(ServerOfALiveRun, ServesManyClientsAndDoesNotHoldUpTheRun) {
   const SmallRun run(folder / "live.hbr", make_gas({.count = 10'000, .packing_fraction = 0.2}), 1e9,
                      50'000'000);
   constexpr std::chrono::seconds kPatience(30);
-  const Server server(run.recording(), kSmallPage, 0, kPatience);
+  const Server server(run.recording(), kSmallPage, 0, {.patience = kPatience});
   while (run.recording().length() < kLongReplay) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   const std::string request = "GET /api/replay.html?token=" + server.token() +
                               " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server.port()) +

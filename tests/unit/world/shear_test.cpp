@@ -44,6 +44,23 @@ TEST(SlidingImages, LoseNoDigitsHoweverFarTheySlide) {
   EXPECT_NEAR(images.displacement_in_box(Time(1e9 + 2.5)), 2.5, 1e-15);
 }
 
+TEST(ShearedBox, TakesWholeBoxesOffTheOffset) {
+  Box box = Box::periodic({6, 5, 7});
+  const auto offset_of = [&](double offset) {
+    box.set_shear({.rate = 0.3, .offset = offset});
+    return box.shear().offset;
+  };
+  EXPECT_EQ(offset_of(5.5), 5.5);
+  EXPECT_EQ(offset_of(-5.5), -5.5);
+  EXPECT_EQ(offset_of(6), 0);
+  EXPECT_EQ(offset_of(6e10 + 1.5), 1.5);
+  EXPECT_EQ(offset_of(-6e10 - 1.5), -1.5);
+  EXPECT_EQ(offset_of(1e60), std::fmod(1e60, 6));
+  // Images in a file are counted by the very offset.
+  box.set_recorded_shear({.rate = 0.3, .offset = 13});
+  EXPECT_EQ(box.shear().offset, 13);
+}
+
 TEST(ShearedBox, FoldsWhatLeavesAbove) {
   const Box box = sheared_box();
   Vec3 position{3.5, 6, 2};
