@@ -195,6 +195,7 @@ void Settling::sample(const Scene& scene) {
 Settled Settling::found(const Scene& scene) const {
   constexpr std::size_t kLeastBlocks = 8;
   constexpr double kForgotten = 0.05;
+  constexpr double kFarFromStart = 4;
   using Means = std::span<const double>;
   const std::span<const double> ends = history_.ends();
   const auto history_of = [&](std::size_t bin) {
@@ -224,12 +225,19 @@ Settled Settling::found(const Scene& scene) const {
   const FunctionOfMeans temperature = [](Means means) { return means[kTemperature]; };
   const Transient transient = find_transient(history_, std::array{temperature});
   found.is_steady = transient.is_over && !is_drifting(temperature, scene.thermal_motion());
-  if (found.is_steady) found.end = std::max(found.end, transient.end.value_or(0));
+  // A transient that may be chance is left to each measure.
+  const BlockAverage rest = transient.left_out_of(history_);
+  const Estimate settled_to = rest.estimate(temperature);
+  const double changed = std::fabs(motion_.temperature() - settled_to.value);
+  const double by_chance = settled_to.value * std::sqrt(2 / motion_.degrees_of_freedom);
+  if (found.is_steady && changed > kFarFromStart * by_chance) {
+    found.end = std::max(found.end, transient.end.value_or(0));
+  }
   return found;
 }
 
 // Whether the temperature changes in the second half of the run by more than chance allows; where that is not
-// known, by a tenth. Of few samples the whole run counts.
+// known, by at least a tenth. Of few samples the whole run counts.
 bool Settling::is_drifting(const FunctionOfMeans& temperature, const ThermalMotion& now) const {
   constexpr std::size_t kFew = 8;
   constexpr double kMuch = 0.1;
@@ -245,8 +253,12 @@ bool Settling::is_drifting(const FunctionOfMeans& temperature, const ThermalMoti
   };
   const double last = mean_of(std::span(history).last(quarter));
   const double before = mean_of(std::span(history).last(2 * quarter).first(quarter));
-  // The difference of two halves has twice the error of their mean.
-  const double allowed = std::isnan(mean.error) ? kMuch * mean.value : kErrors * 2 * mean.error;
+  // The difference of two halves has twice the error of their mean. Where that is not known it is no less
+  // than for independent samples of an equilibrium.
+  const double by_samples =
+      mean.value * std::sqrt(2 / motion_.degrees_of_freedom / static_cast<double>(second_half.blocks()));
+  const double allowed = std::isnan(mean.error) ? std::max(kMuch * mean.value, kErrors * 2 * by_samples)
+                                                : kErrors * 2 * mean.error;
   return std::fabs(last - before) > allowed;
 }
 
