@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hardball/measure/bonds.hpp"
+#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/transient.hpp"
 #include "hardball/theory/no_number.hpp"
 

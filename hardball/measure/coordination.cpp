@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/same_box.hpp"
 #include "hardball/measure/transient.hpp"
 #include "hardball/measure/units.hpp"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/diffusion.hpp"
+#include "hardball/measure/qualification.hpp"
 
 #include <algorithm>
 #include <cmath>

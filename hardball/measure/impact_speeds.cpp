@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/transient.hpp"
 #include "hardball/theory/no_number.hpp"
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "hardball/errors/language.hpp"
-#include "hardball/measure/settled.hpp"
 
 namespace hardball {
 
@@ -74,23 +73,5 @@ struct Measurement {
     if (archive.version() >= 9) archive(self.unsettled);
   }
 };
-
-/// A number that is no estimate, such as a count, and so has no error, for a reason without a comma.
-Quantity no_estimate(const std::string& name, const std::string& unit, double value,
-                     const std::string& reason);
-
-/// Removes the error of a quantity unless its value is exact, for a reason without a comma; the theory is
-/// then for comparison only.
-void leave_open(Quantity& quantity, const std::string& reason);
-
-/// Removes the value, too.
-void leave_out(Quantity& quantity, const std::string& reason);
-
-/// Leaves out a number that by its nature is not negative, where it comes out negative by chance.
-void require_not_negative(Quantity& quantity);
-
-/// Gives every quantity that has no error a reason, and removes the errors of those whose means have not
-/// settled, as the run as a whole has not. Precondition: `duration` is set.
-void qualify(Measurement& measurement, const Settled& settled);
 
 }  // namespace hardball

@@ -23,6 +23,7 @@
 #include "hardball/measure/mean_square_displacement.hpp"
 #include "hardball/measure/nearest_neighbor.hpp"
 #include "hardball/measure/pressure.hpp"
+#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
 #include "hardball/measure/scene.hpp"

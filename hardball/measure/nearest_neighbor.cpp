@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hardball/measure/fluid_structure.hpp"
+#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
 #include "hardball/theory/no_number.hpp"

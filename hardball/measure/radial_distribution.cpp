@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/same_box.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"

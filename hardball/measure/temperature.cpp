@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "hardball/measure/qualification.hpp"
 #include "hardball/theory/no_number.hpp"
 
 namespace hardball {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/theory/no_number.hpp"

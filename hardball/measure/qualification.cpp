@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/qualification.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kTooShort = "the run has too few independent parts to estimate its error";
 constexpr const char* kFromTheStart = "it is over the whole run and the start still had its initial order";
 
-// The energy sets the scale of time.
+// The temperature sets the scale of time, and of nothing else.
 bool depends_on_temperature(const Quantity& quantity) {
   return quantity.unit.find('T') != std::string::npos;
 }

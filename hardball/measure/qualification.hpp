@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/settled.hpp"
+
+/// What measured numbers are worth: which have no error, or are left out, and why.
+namespace hardball {
+
+/// A number that is no estimate, such as a count, and so has no error, for a reason without a comma.
+Quantity no_estimate(const std::string& name, const std::string& unit, double value,
+                     const std::string& reason);
+
+/// Removes the error of a quantity unless its value is exact, for a reason without a comma; the theory is
+/// then for comparison only.
+void leave_open(Quantity& quantity, const std::string& reason);
+
+/// Removes the value and the error of a quantity, for a reason without a comma.
+void leave_out(Quantity& quantity, const std::string& reason);
+
+/// Leaves out a number that by its nature is not negative, where it comes out negative by chance.
+void require_not_negative(Quantity& quantity);
+
+/// Gives every quantity that has no error a reason. Of a run that has not settled it removes errors: all, or
+/// where only the temperature keeps changing those of quantities with a unit of time. Precondition:
+/// `duration` is set.
+void qualify(Measurement& measurement, const Settled& settled);
+
+}  // namespace hardball
