@@ -84,7 +84,8 @@ TEST(SamplingSchedule, HasSamplesInCommonWithThoseOfHalfTheirPeriod) {
   for (const double cost : {1e6, 1e7, 1e8}) {
     const SamplingSchedule dear = SamplingSchedule::scattered(Time(0), 0.5, cost, kPace);
     for (const double time : times_of(dear, 100)) {
-      if (time < fine.back()) EXPECT_TRUE(std::ranges::binary_search(fine, time)) << cost << " at " << time;
+      if (time >= fine.back()) break;
+      EXPECT_TRUE(std::ranges::binary_search(fine, time)) << cost << " at " << time;
     }
   }
 }
