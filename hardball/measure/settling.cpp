@@ -126,8 +126,10 @@ Settling::Settling(const Scene& scene)
   }
   // Intensities of independent places are distributed exponentially with a mean of one.
   constexpr double kByChance = 12;
-  for (std::uint64_t axis = 0; axis < world.box().dimensions(); ++axis) {
-    if (world.box().is_sheared() || world.motion().gravity()[axis] != 0) continue;
+  const bool may_be_even =
+      !world.box().is_sheared() && world.box().has_plain_faces() && world.surfaces().empty();
+  for (std::uint64_t axis = 0; may_be_even && axis < world.box().dimensions(); ++axis) {
+    if (world.motion().gravity()[axis] != 0) continue;
     for (std::uint64_t species = 0; species <= species_.size(); ++species) {
       const Mode mode{axis, species};
       if ((species_.size() > 1 || species == 0) && intensity(scene, mode) > kByChance) modes_.push_back(mode);
@@ -153,10 +155,6 @@ double Settling::overlap_with_places(const Scene& scene) const {
   return sum / static_cast<double>(places_.size() * dimensions);
 }
 
-double Settling::crystalline_order(const Scene& scene) const {
-  return order_in(scene, reach_).value;
-}
-
 // Of the longest wave that fits the box: between walls half a wave.
 double Settling::intensity(const Scene& scene, const Mode& mode) const {
   const World& world = scene.world();
@@ -179,7 +177,7 @@ double Settling::intensity(const Scene& scene, const Mode& mode) const {
 
 std::vector<double> Settling::orders_of(const Scene& scene) const {
   std::vector<double> orders;
-  if (is_crystal_) orders.push_back(crystalline_order(scene));
+  if (is_crystal_) orders.push_back(order_in(scene, reach_).value);
   for (const Mode& mode : modes_) orders.push_back(intensity(scene, mode));
   return orders;
 }
@@ -195,7 +193,6 @@ void Settling::sample(const Scene& scene) {
 Settled Settling::found(const Scene& scene) const {
   constexpr std::size_t kLeastBlocks = 8;
   constexpr double kForgotten = 0.05;
-  constexpr double kFarFromStart = 4;
   using Means = std::span<const double>;
   const std::span<const double> ends = history_.ends();
   const auto history_of = [&](std::size_t bin) {
@@ -221,8 +218,14 @@ Settled Settling::found(const Scene& scene) const {
   if (is_crystal_) end_after(settled(0), kStillCrystal);
   for (std::size_t k = is_crystal_ ? 1 : 0; k < starts_.size(); ++k) end_after(settled(k), kStillSpreading);
 
-  if (is_energy_conserved(motion_, scene.thermal_motion())) return found;
-  const FunctionOfMeans temperature = [](Means means) { return means[kTemperature]; };
+  if (!is_energy_conserved(motion_, scene.thermal_motion())) judge_temperature(scene, found);
+  return found;
+}
+
+// Says whether the temperature settles, and when.
+void Settling::judge_temperature(const Scene& scene, Settled& found) const {
+  constexpr double kFarFromStart = 4;
+  const FunctionOfMeans temperature = [](std::span<const double> means) { return means[kTemperature]; };
   const Transient transient = find_transient(history_, std::array{temperature});
   found.is_steady = transient.is_over && !is_drifting(temperature, scene.thermal_motion());
   // A transient that may be chance is left to each measure.
@@ -233,7 +236,6 @@ Settled Settling::found(const Scene& scene) const {
   if (found.is_steady && changed > kFarFromStart * by_chance) {
     found.end = std::max(found.end, transient.end.value_or(0));
   }
-  return found;
 }
 
 // Whether the temperature changes in the second half of the run by more than chance allows; where that is not

@@ -56,8 +56,8 @@ class Settling {
 
   std::vector<double> orders_of(const Scene& scene) const;
   double overlap_with_places(const Scene& scene) const;
-  double crystalline_order(const Scene& scene) const;
   double intensity(const Scene& scene, const Mode& mode) const;
+  void judge_temperature(const Scene& scene, Settled& found) const;
   bool is_drifting(const FunctionOfMeans& temperature, const ThermalMotion& now) const;
 
   ThermalMotion motion_;  // at the start
