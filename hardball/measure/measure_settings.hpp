@@ -24,7 +24,13 @@ struct MeasureSettings {
   std::optional<double> every = {};
   /// When measuring starts [T].
   double from = 0;
-  static void persist(auto& archive, auto& self) { archive(self.names, self.every, self.from); }
+  /// Whether spheres are placed for the start, on a lattice or at random, rather than taken from an
+  /// equilibrium. Of a fluid, means then begin when the spheres have left their places.
+  bool is_start_placed = false;
+  static void persist(auto& archive, auto& self) {
+    archive(self.names, self.every, self.from);
+    if (archive.version() >= 9) archive(self.is_start_placed);
+  }
 };
 
 }  // namespace hardball

@@ -275,7 +275,7 @@ void Measures::sample(const World& world, const Time& now, const ForEach& for_ea
       if (NeedsImagesAtRest<Measure> && world.box().is_sheared()) return;
       if (entry.is_wanted) begin(entry, scene, settings_.every, pace);
     });
-    entries_->settling.emplace(scene);
+    entries_->settling.emplace(scene, settings_.is_start_placed);
     entries_->settling_schedule = scattered(now, kFixedCost + entries_->settling->sample_cost(), pace);
     has_begun_ = true;
     spheres_ = world.size();

@@ -16,6 +16,7 @@ struct Settled {
 
 inline constexpr const char* kStillCrystal =
     "the spheres still have the order of the crystal in which they started";
+inline constexpr const char* kStillInPlace = "the spheres have not left the places at which they started";
 inline constexpr const char* kStillSpreading = "the spheres are still spreading evenly through the box";
 inline constexpr const char* kStillChanging = "it still changes in the second half of the run";
 inline constexpr const char* kNotSteady = "the temperature keeps changing and there is no steady state";

@@ -92,7 +92,7 @@ std::optional<std::size_t> blocks_until_settled(std::span<const double> history,
 
 }  // namespace
 
-Settling::Settling(const Scene& scene)
+Settling::Settling(const Scene& scene, bool is_placed)
     : motion_(scene.thermal_motion()), species_(scene.species()), begin_(scene.now()) {
   // Between the first two shells of the densest lattices.
   constexpr double kReach = 1.25;
@@ -111,14 +111,15 @@ Settling::Settling(const Scene& scene)
   wave_number_ = 2 * std::numbers::pi / spacing;
   const Order order = order_in(scene, reach_);
   is_crystal_ = order.value > std::max(least_order, order.by_chance);
-  must_melt_ = is_crystal_ && is_fluid(world, scene.statistics());
+  must_leave_places_ =
+      (is_crystal_ || is_placed) && motion_.energy > 0 && is_fluid(world, scene.statistics());
   if (is_crystal_) {
     // Of each sphere the search takes this, and of each bonded one a dozen bonds.
     constexpr double kSearch = 100;
     constexpr double kBonds = 2000;
     sample_cost_ += kSearch * spheres + kBonds * std::min(spheres, static_cast<double>(kMostBonded));
   }
-  if (must_melt_) {
+  if (must_leave_places_) {
     const std::size_t followed = std::min(world.size(), kMostFollowed);
     for (std::size_t k = 0; k < followed; ++k) {
       places_.push_back(scene.unfolded_center(world.slot_of_rank(k * world.size() / followed)));
@@ -199,6 +200,7 @@ Settled Settling::found(const Scene& scene) const {
     return history_.history([bin](Means means) { return means[bin]; });
   };
   Settled found;
+  if (scene.now() == begin_) return found;
   const auto end_after = [&](std::optional<std::size_t> blocks, const char* reason) {
     if (blocks && *blocks > 0) found.end = std::max(found.end, ends[*blocks - 1]);
     if (blocks && 2 * *blocks <= ends.size()) return;
@@ -209,11 +211,12 @@ Settled Settling::found(const Scene& scene) const {
     if (ends.size() < kLeastBlocks) return std::nullopt;
     return blocks_until_settled(history_of(kOrders + order), starts_[order]);
   };
-  if (must_melt_) {
+  if (must_leave_places_) {
     const std::vector<double> overlap = history_of(kOverlap);
-    const auto melted = std::ranges::find_if(overlap, [](double value) { return value < kForgotten; });
-    const std::size_t blocks = static_cast<std::size_t>(melted - overlap.begin()) + 1;
-    end_after(melted == overlap.end() ? std::nullopt : std::optional(blocks), kStillCrystal);
+    const auto left = std::ranges::find_if(overlap, [](double value) { return value < kForgotten; });
+    const std::size_t blocks = static_cast<std::size_t>(left - overlap.begin()) + 1;
+    end_after(left == overlap.end() ? std::nullopt : std::optional(blocks),
+              is_crystal_ ? kStillCrystal : kStillInPlace);
   }
   if (is_crystal_) end_after(settled(0), kStillCrystal);
   for (std::size_t k = is_crystal_ ? 1 : 0; k < starts_.size(); ++k) end_after(settled(k), kStillSpreading);

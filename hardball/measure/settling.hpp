@@ -23,8 +23,9 @@ namespace hardball {
 /// followed.
 class Settling {
  public:
-  /// Starts at the time of the scene. Cost: O(n).
-  explicit Settling(const Scene& scene);
+  /// Starts at the time of the scene, with spheres that were placed there, or come from what may be an
+  /// equilibrium. Cost: O(n).
+  Settling(const Scene& scene, bool is_placed);
 
   /// What a sample costs [ns].
   double sample_cost() const { return sample_cost_; }
@@ -43,7 +44,8 @@ class Settling {
   Settling() = default;
   static void persist(auto& archive, auto& self) {
     archive(self.motion_, self.species_, self.begin_, self.sample_cost_, self.wave_number_, self.reach_,
-            self.is_crystal_, self.must_melt_, self.places_, self.modes_, self.starts_, self.history_);
+            self.is_crystal_, self.must_leave_places_, self.places_, self.modes_, self.starts_,
+            self.history_);
   }
   bool restored() const;
 
@@ -63,15 +65,15 @@ class Settling {
   ThermalMotion motion_;  // at the start
   SpeciesList species_;
   Time begin_;
-  double sample_cost_ = 0;      // [ns]
-  double wave_number_ = 0;      // of the lattice [1/L]
-  double reach_ = 0;            // of a bond [L]
-  bool is_crystal_ = false;     // at the start
-  bool must_melt_ = false;      // as the equilibrium is a fluid
-  std::vector<Vec3> places_;    // at the start, of the spheres followed; none unless they must melt
-  std::vector<Mode> modes_;     // those with an uneven density at the start
-  std::vector<double> starts_;  // the orders at the start
-  BlockAverage history_;        // of the temperature, the overlap with the places, and each order
+  double sample_cost_ = 0;          // [ns]
+  double wave_number_ = 0;          // of the lattice [1/L]
+  double reach_ = 0;                // of a bond [L]
+  bool is_crystal_ = false;         // at the start
+  bool must_leave_places_ = false;  // as the equilibrium is a fluid
+  std::vector<Vec3> places_;        // at the start, of the spheres followed; none unless they must be left
+  std::vector<Mode> modes_;         // those with an uneven density at the start
+  std::vector<double> starts_;      // the orders at the start
+  BlockAverage history_;            // of the temperature, the overlap with the places, and each order
 };
 
 }  // namespace hardball

@@ -256,6 +256,9 @@ Scenario read_scenario(const Document& document) {
   if (const auto run = root.section("run")) read_run(*run, scenario);
   if (const auto output = root.section("output")) read_output(*output, scenario);
   if (const auto measures = root.section("measures")) read_measures(*measures, scenario.measures);
+  const auto is_listed = [](const SphereGroup& group) { return group.placement == Placement::listed; };
+  scenario.measures.is_start_placed = scenario.measures.from == 0 && !scenario.start_file &&
+                                      !std::ranges::all_of(scenario.spheres, is_listed);
   leave_out_measures(root, scenario);
   return scenario;
 }

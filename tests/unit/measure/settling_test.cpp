@@ -24,9 +24,9 @@ namespace {
 
 using support::quantity;
 
-std::vector<Measurement> measured(Simulation simulation, double free_times) {
+std::vector<Measurement> measured(Simulation simulation, double free_times, bool is_placed = false) {
   const double until = free_times * mean_free_time(Scene(simulation.world(), Time(0)).statistics());
-  Measures measures;
+  Measures measures({.is_start_placed = is_placed});
   simulation.run_until(until, measures);
   measures.sample_the_rest(simulation.world(), simulation.now());
   return measures.results(simulation.world(), simulation.now());
@@ -106,7 +106,7 @@ TEST(Settling, LetsACrystalBeThatIsStable) {
 TEST(Settling, IsOverAtOnceWhereTheStartHasNoOrder) {
   for (const double packing_fraction : {0.02, 0.3}) {
     const World gas = support::make_gas({.count = 500, .packing_fraction = packing_fraction, .seed = 2});
-    Settling settling(Scene(gas, Time(0)));
+    const Settling settling(Scene(gas, Time(0)), false);
     const Settled found = settling.found(Scene(gas, Time(0)));
     EXPECT_TRUE(found.is_over);
     EXPECT_EQ(found.end, 0);
@@ -116,7 +116,21 @@ TEST(Settling, IsOverAtOnceWhereTheStartHasNoOrder) {
   const World fluid = support::settled(
       support::make_gas({.count = 500, .packing_fraction = 0.4, .seed = 2, .start = support::Start::fcc}),
       200);
-  EXPECT_TRUE(Settling(Scene(fluid, Time(0))).found(Scene(fluid, Time(0))).is_over);
+  EXPECT_TRUE(Settling(Scene(fluid, Time(0)), false).found(Scene(fluid, Time(0))).is_over);
+}
+
+// In places at random there are too few neighbors at a distance, which shows in the order of bonds until the
+// spheres have left them.
+TEST(Settling, TellsSpheresThatAreStillWhereTheyWerePlaced) {
+  const World placed = support::make_gas({.count = 4000, .packing_fraction = 0.33, .seed = 2});
+  expect_unsettled(measured(Simulation(placed), 5, true), kStillInPlace);
+  const std::vector<Measurement> all = measured(Simulation(placed), 60, true);
+  const Quantity& bonds = quantity(named(all, "bond_order"), "mean_bonds");
+  EXPECT_LT(std::fabs(bonds.value - 7.1194), 4 * bonds.error) << "the mean of long runs";
+  EXPECT_GT(named(all, "bond_order").transient, 5 * mean_free_time(Scene(placed, Time(0)).statistics()));
+  // Of a dilute gas they leave them within a mean free time.
+  const World gas = support::make_gas({.count = 500, .packing_fraction = 0.02, .seed = 2});
+  EXPECT_TRUE(named(measured(Simulation(gas), 5, true), "pressure").is_transient_over);
 }
 
 // A gas set free in one half of the box.
