@@ -439,14 +439,12 @@ std::string reasons(const Measurement& measurement, const SpeciesNames& species)
     std::string& names = (std::isnan(quantity.value) ? without_value : without_error)[quantity.reason];
     names += (names.empty() ? "" : ", ") + species.readable(quantity.name);
   }
-  std::string html;
-  for (const auto& [reason, names] : without_value) {
-    html += paragraph("note", escaped("No " + names + ": " + reason + "."));
-  }
+  std::string text;
+  for (const auto& [reason, names] : without_value) text += "No " + names + ": " + reason + ". ";
   for (const auto& [reason, names] : without_error) {
-    html += paragraph("note", escaped("No standard error for " + names + ": " + reason + "."));
+    text += "No standard error for " + names + ": " + reason + ". ";
   }
-  return html;
+  return text.empty() ? text : paragraph("note", escaped(text));
 }
 
 // The numbers that the run has determined.
