@@ -55,15 +55,27 @@ struct Header {
   std::optional<SnapshotBox> box;
 };
 
+// How the box ends along an axis: two letters of p, f, s and m, for its lower and its upper face.
+bool is_boundary(std::string_view text) {
+  constexpr std::string_view kFaces = "fsm";
+  return text == "pp" || (text.size() == 2 && kFaces.find(text[0]) != std::string_view::npos &&
+                          kFaces.find(text[1]) != std::string_view::npos);
+}
+
 SnapshotBox read_box(Lines& lines, std::string_view axes) {
   SnapshotBox box;
   std::vector<Token> boundaries = tokens_of(axes);
   const bool is_tilted = boundaries.size() > kAxes;
   if (is_tilted) boundaries.erase(boundaries.begin(), boundaries.begin() + kAxes);  // xy xz yz
+  const auto is_known = [](const Token& boundary) { return is_boundary(boundary.text); };
+  if (boundaries.size() != kAxes || !std::ranges::all_of(boundaries, is_known)) {
+    throw Error("the boundaries of the box are '" + shortened(axes) + "'", lines.location().text(),
+                "give one for each axis, as in ITEM: BOX BOUNDS pp pp ff");
+  }
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const std::string_view boundary = axis < boundaries.size() ? boundaries[axis].text : "ff";
-    box.is_periodic[axis] = boundary.starts_with('p');
-    box.is_unbounded = box.is_unbounded || boundary.starts_with('s') || boundary.starts_with('m');
+    const std::string_view boundary = boundaries[axis].text;
+    box.is_periodic[axis] = boundary == "pp";
+    box.is_unbounded = box.is_unbounded || boundary.find_first_of("sm") != std::string_view::npos;
   }
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     need_line(lines);
@@ -96,7 +108,7 @@ Header read_header(Lines& lines) {
     const TextLocation location = lines.location();
     const std::string line(lines.line());
     if (!line.starts_with(kItem)) {
-      throw Error("there is '" + line.substr(0, 40) + "' instead of an item", location.text(),
+      throw Error("there is '" + shortened(line) + "' instead of an item", location.text(),
                   "give a LAMMPS dump in text, each part of which begins with ITEM:");
     }
     const std::string_view item = std::string_view(line).substr(kItem.size());

@@ -420,8 +420,24 @@ TEST(Trajectory, ReadsTiltedCells) {
   write_text(
       folder / "triclinic.lammpstrj",
       "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1 0\n0 1 0.5\n"
-      "0 1 0\nITEM: ATOMS id x y z radius\n");
+      "0 1 0\nITEM: ATOMS id x y z vx vy vz radius\n");
   EXPECT_THROW(open_snapshots(folder / "triclinic.lammpstrj")->read(0), Error);
+}
+
+TEST(LammpsDump, IsRefusedWhereItDoesNotSayHowTheBoxEnds) {
+  const ScratchFolder folder;
+  const auto box_of = [&](const std::string& boundaries) {
+    write_text(folder / "dump.lammpstrj", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS" +
+                                              boundaries +
+                                              "\n0 1\n0 1\n0 1\nITEM: ATOMS id x y z vx vy vz radius\n");
+    return *open_snapshots(folder / "dump.lammpstrj")->read(0).box;
+  };
+  EXPECT_EQ(box_of(" pp ff pp").is_periodic, (std::array{true, false, true}));
+  EXPECT_FALSE(box_of(" pp ff fm").is_periodic[2]);
+  EXPECT_TRUE(box_of(" pp ff fm").is_unbounded);
+  for (const char* const unknown : {"", " pp pp", " pp pp yes", " pf pp pp", " pp pp p", " periodic ff ff"}) {
+    EXPECT_THROW(box_of(unknown), Error) << unknown;
+  }
 }
 
 TEST(Trajectory, KeepsSpheresWithinTheBoxInSinglePrecision) {
