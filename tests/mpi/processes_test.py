@@ -202,7 +202,7 @@ class Processes(unittest.TestCase):
 
     def test_a_killed_process_ends_the_run_which_others_resume(self):
         scenario = self.scenario(GAS)
-        longer = ["--until", "12", "--set", "output.checkpoint_every=0.2"]
+        longer = ["--until", "60", "--set", "output.checkpoint_every=0.2"]
         expected = self.run_alone(scenario, *longer)
         directory = self.folder / "killed"
         started = subprocess.Popen(MPIRUN + ["-n", "3", PROGRAM, "run", scenario, "--out", str(directory), *longer,
