@@ -140,7 +140,7 @@ TEST(Temperature, IsTheMeanOverTimeOfAGasThatIsRescaled) {
   }
 }
 
-// Of 20 mean free times, as many as there are samples: their scatter is that of random phases.
+// Samples at the beat of the thermostat would see the speeds right after it has acted.
 TEST(MeanSpeed, SharesNoBeatWithAThermostat) {
   const World gas = support::make_gas({.count = 500, .packing_fraction = 0.15, .seed = 5});
   Simulation driven(support::interacting(gas, Restitution(0.7)));
