@@ -27,9 +27,13 @@ struct MeasureSettings {
   /// Whether spheres are placed for the start, on a lattice or at random, rather than taken from an
   /// equilibrium. Of a fluid, means then begin when the spheres have left their places.
   bool is_start_placed = false;
+  /// Whether the energy of the start is drawn at random: that of random places in potentials of steps or
+  /// under gravity, or of random spins. Errors then say how far runs with other random numbers are.
+  bool is_energy_random = false;
   static void persist(auto& archive, auto& self) {
     archive(self.names, self.every, self.from);
     if (archive.version() >= 9) archive(self.is_start_placed);
+    if (archive.version() >= 10) archive(self.is_energy_random);
   }
 };
 

@@ -25,6 +25,7 @@
 #include "hardball/measure/pressure.hpp"
 #include "hardball/measure/qualification.hpp"
 #include "hardball/measure/radial_distribution.hpp"
+#include "hardball/measure/random_start.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/settling.hpp"
@@ -184,10 +185,12 @@ void advance(Entry<Measure>& entry, const Time& now, std::uint64_t contacts) {
 struct Measures::Entries : AllMeasures {
   std::optional<Settling> settling;  // once they have started
   SamplingSchedule settling_schedule;
+  std::optional<RandomStart> random_start;  // if there is one
 
   static void persist(auto& archive, auto& self) {
     archive(self.entries);
     if (archive.version() >= 9) archive(self.settling, self.settling_schedule);
+    if (archive.version() >= 10) archive(self.random_start);
   }
 };
 
@@ -276,6 +279,7 @@ void Measures::sample(const World& world, const Time& now, const ForEach& for_ea
       if (entry.is_wanted) begin(entry, scene, settings_.every, pace);
     });
     entries_->settling.emplace(scene, settings_.is_start_placed);
+    if (settings_.is_energy_random) entries_->random_start.emplace(scene);
     entries_->settling_schedule = scattered(now, kFixedCost + entries_->settling->sample_cost(), pace);
     has_begun_ = true;
     spheres_ = world.size();
@@ -307,8 +311,9 @@ void Measures::sample_the_rest(const World& world, const Time& now) {
 }
 
 std::vector<Measurement> Measures::results(const World& world, const Time& now) const {
-  const Settled settled =
-      entries_->settling ? entries_->settling->found(Scene(world, now, is_driven_)) : Settled{};
+  const Scene end(world, now, is_driven_);
+  Settled settled = entries_->settling ? entries_->settling->found(end) : Settled{};
+  if (entries_->random_start && !is_driven_) settled.spread = entries_->random_start->spread(end);
   const Scene scene(world, now, is_driven_, settled);
   std::vector<Measurement> results;
   entries_->for_each([&](const auto& entry) {

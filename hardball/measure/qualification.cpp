@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
 
 #include "hardball/theory/no_number.hpp"
 
@@ -16,6 +18,33 @@ constexpr const char* kFromTheStart = "it is over the whole run and the start st
 // The temperature sets the scale of time, and of nothing else.
 bool depends_on_temperature(const Quantity& quantity) {
   return quantity.unit.find('T') != std::string::npos;
+}
+
+// The exponent of time in a unit.
+int power_of_time(const std::string& unit) {
+  const std::size_t time = unit.find('T');
+  if (time == std::string::npos) return 0;
+  const bool has_exponent = time + 1 < unit.size() && unit[time + 1] == '^';
+  return has_exponent ? std::stoi(unit.substr(time + 2)) : 1;
+}
+
+// A number with the unit of a power of time is proportional to as many inverse roots of the temperature.
+double widened(double error, double value, const std::string& unit, const StartSpread& spread) {
+  if (error == 0) return 0;
+  const double sensitivity = std::abs(power_of_time(unit)) / 2.0 + spread.sensitivity_of_places;
+  return std::hypot(error, sensitivity * spread.temperature * value);
+}
+
+void widen(Measurement& measurement, const StartSpread& spread) {
+  for (Quantity& quantity : measurement.quantities)
+    quantity.error = widened(quantity.error, quantity.value, quantity.unit, spread);
+  const Column* values = nullptr;
+  for (Column& column : measurement.columns) {
+    if (column.role == ColumnRole::value) values = &column;
+    if (column.role != ColumnRole::error || !values) continue;
+    for (std::size_t row = 0; row < column.values.size(); ++row)
+      column.values[row] = widened(column.values[row], values->values[row], values->unit, spread);
+  }
 }
 
 }  // namespace
@@ -43,6 +72,7 @@ void require_not_negative(Quantity& quantity) {
 
 void qualify(Measurement& measurement, const Settled& settled) {
   constexpr double kLongPart = 0.125;
+  if (settled.spread.temperature > 0) widen(measurement, settled.spread);
   const auto leave_all_open = [&](const std::string& reason) {
     for (Quantity& quantity : measurement.quantities) leave_open(quantity, reason);
     for (Column& column : measurement.columns) {

@@ -24,9 +24,11 @@ void leave_out(Quantity& quantity, const std::string& reason);
 /// Leaves out a number that by its nature is not negative, where it comes out negative by chance.
 void require_not_negative(Quantity& quantity);
 
-/// Gives every quantity that has no error a reason. Of a run that has not settled it removes errors: all, or
-/// where only the temperature keeps changing those of quantities with a unit of time. Precondition:
-/// `duration` is set.
+/// Gives every quantity that has no error a reason, and adds to errors what differs among runs from other
+/// random starts: to numbers that are proportional to a power of time, as far as the temperature sets its
+/// scale, and to all, as far as places depend on the temperature. Of a run that has not settled it removes
+/// errors: all, or where only the temperature keeps changing those of quantities with a unit of time.
+/// Precondition: `duration` is set.
 void qualify(Measurement& measurement, const Settled& settled);
 
 }  // namespace hardball

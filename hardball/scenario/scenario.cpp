@@ -259,6 +259,11 @@ Scenario read_scenario(const Document& document) {
   const auto is_listed = [](const SphereGroup& group) { return group.placement == Placement::listed; };
   scenario.measures.is_start_placed = scenario.measures.from == 0 && !scenario.start_file &&
                                       !std::ranges::all_of(scenario.spheres, is_listed);
+  const auto is_random = [](const SphereGroup& group) {
+    return group.placement == Placement::random || group.rotational_temperature > 0;
+  };
+  scenario.measures.is_energy_random =
+      !scenario.start_file && std::ranges::any_of(scenario.spheres, is_random);
   leave_out_measures(root, scenario);
   return scenario;
 }
