@@ -14,6 +14,7 @@
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/progress.hpp"
+#include "apps/cli/rest_watch.hpp"
 #include "apps/cli/run_files.hpp"
 #include "apps/cli/run_report.hpp"
 #include "apps/cli/seconds_since.hpp"
@@ -136,7 +137,8 @@ class DistributedRun {
       : options_(options),
         scenario_(std::move(scenario)),
         simulation_(std::move(simulation)),
-        processes_(simulation_.processes()) {
+        processes_(simulation_.processes()),
+        rest_(scenario_, simulation_.totals(), simulation_.size()) {
     std::ranges::sort(scenario_.checkpoint_at);
     std::ranges::sort(scenario_.trajectories);  // as files have them
   }
@@ -181,17 +183,19 @@ class DistributedRun {
   bool run_to_end() {
     const double until = *scenario_.until;
     for (;;) {
+      const double now = simulation_.time();
+      rest_.look(now, [&] { return simulation_.totals(); });
       const double snapshot =
           has_snapshots() ? scenario_.snapshots.time(next_snapshot_, until) : SnapshotSchedule::kNoTime;
       const double checkpoint = next_kept_checkpoint();
-      const double next = std::min({snapshot, checkpoint, until});
+      const double next = std::min({snapshot, checkpoint, until, rest_.next_look(now)});
       const std::uint64_t contacts =
           has_snapshots() ? scenario_.snapshots.contacts(next_snapshot_) : SnapshotSchedule::kNoContacts;
-      const RunStatus status = run_to(next, contacts);
+      const RunStatus status = rest_.since() ? RunStatus::time_reached : run_to(next, contacts);
       if (status == RunStatus::stopped) return false;
       const bool has_counted = status == RunStatus::contacts_reached;
       if (snapshot <= next || has_counted) {
-        write_snapshot();
+        write_snapshot(has_counted ? simulation_.time() : snapshot);
         ++next_snapshot_;
       }
       if (has_counted) continue;
@@ -303,13 +307,17 @@ class DistributedRun {
   }
 
   // The first process writes what it gets from the others block by block.
-  void write_snapshot() {
-    const Snapshot head = head_of_snapshot();
+  void write_snapshot(double time) {
+    Snapshot head = head_of_snapshot();
+    head.time = time;
     const std::vector<std::vector<Traveler>> own = simulation_.own_blocks();
     for (std::size_t k = 0; k < scenario_.trajectories.size(); ++k) {
       if (!takes_parts(scenario_.trajectories[k])) {
-        in_first(processes_,
-                 [&] { files_->write_snapshot(k, snapshot_of(*simulation_.whole(), simulation_.now())); });
+        in_first(processes_, [&] {
+          Snapshot whole = snapshot_of(*simulation_.whole(), simulation_.now());
+          whole.time = time;
+          files_->write_snapshot(k, whole);
+        });
         continue;
       }
       BlocksInFirst blocks(simulation_, own);
@@ -320,6 +328,7 @@ class DistributedRun {
         for (const Traveler& traveler : *block) world.insert(traveler.state);
         Snapshot part = snapshot_of(world, simulation_.now());
         part.has_spins = head.has_spins;
+        part.time = time;
         return part;
       };
       in_all(processes_, [&] {
@@ -357,6 +366,7 @@ class DistributedRun {
                            .counters = simulation_.counters(),
                            .domains = simulation_.domains(),
                            .windows = simulation_.window_counters(),
+                           .at_rest_since = rest_.since(),
                            .sums = simulation_.sums(),
                            .totals = totals,
                            .step_energy = 0,
@@ -411,6 +421,7 @@ class DistributedRun {
   Scenario scenario_;
   DistributedSimulation simulation_;
   Processes& processes_;
+  RestWatch rest_;
   std::optional<std::filesystem::path> directory_;
   std::optional<RunFiles> files_;
   std::uint64_t next_snapshot_ = 0;

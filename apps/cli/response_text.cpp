@@ -34,6 +34,7 @@ std::string describe(const BounceRules& rules) {
   if (rules.contact_duration > 0) {
     text += fmt::format(", elastic within {:.4g} after another contact", rules.contact_duration);
   }
+  if (rules.settle_under > 0) text += ", elastic within a hundredth of sqrt(d / g) after another contact";
   return text;
 }
 

@@ -221,9 +221,10 @@ FilesState RunFiles::save() {
   return state;
 }
 
-void RunFiles::write_snapshot(const Simulation& simulation) {
+void RunFiles::write_snapshot(const Simulation& simulation, double time) {
   if (trajectories_.empty()) return;
-  const Snapshot snapshot = snapshot_of(simulation.world(), simulation.now());
+  Snapshot snapshot = snapshot_of(simulation.world(), simulation.now());
+  snapshot.time = time;
   for (auto& [name, trajectory] : trajectories_) trajectory.append(snapshot);
 }
 

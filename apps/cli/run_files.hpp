@@ -88,7 +88,7 @@ class RunFiles {
 
   /// Appends a frame at the current time to the trajectories, if there are any. Error (RunFailure): it cannot
   /// be written.
-  void write_snapshot(const Simulation& simulation);
+  void write_snapshot(const Simulation& simulation, double time);
   /// The same in one of the trajectories, which are in the order of SnapshotFormat; also for spheres that
   /// come in parts.
   void write_snapshot(std::size_t trajectory, const Snapshot& snapshot);

@@ -14,6 +14,7 @@
 
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/progress.hpp"
+#include "apps/cli/rest_watch.hpp"
 #include "apps/cli/run_report.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
@@ -60,9 +61,15 @@ Simulation loaded(const std::map<std::string, std::string>& sections,
 class Course {
  public:
   explicit Course(StartedRun& run)
-      : run_(run), progress_(!run.options.quiet, *run.scenario.until), seconds_before_(run.seconds.run) {
+      : run_(run),
+        progress_(!run.options.quiet, *run.scenario.until),
+        seconds_before_(run.seconds.run),
+        rest_(run.scenario, totals_of(run.simulation.world(), run.simulation.now()), run.simulation.size()) {
     std::ranges::sort(run_.scenario.checkpoint_at);
   }
+
+  /// Since when all spheres are at rest [T].
+  const std::optional<double>& at_rest_since() const { return rest_.since(); }
 
   // False if interrupted by a signal.
   bool complete() {
@@ -83,14 +90,17 @@ class Course {
   bool run_to_end() {
     const double until = *run_.scenario.until;
     for (;;) {
+      const double now = run_.simulation.time();
+      rest_.look(now, [&] { return totals_of(run_.simulation.world(), run_.simulation.now()); });
       const double snapshot = next_snapshot_time(run_);
       const double checkpoint = next_kept_checkpoint();
-      const double next = std::min({snapshot, checkpoint, until});
-      const RunStatus status = run_to(next, next_snapshot_contacts(run_));
+      const double next = std::min({snapshot, checkpoint, until, rest_.next_look(now)});
+      const RunStatus status =
+          rest_.since() ? RunStatus::time_reached : run_to(next, next_snapshot_contacts(run_));
       if (status == RunStatus::stopped) return false;
       const bool has_counted = status == RunStatus::contacts_reached;
       if (snapshot <= next || has_counted) {
-        run_.files->write_snapshot(run_.simulation);
+        run_.files->write_snapshot(run_.simulation, has_counted ? run_.simulation.time() : snapshot);
         ++run_.next_snapshot;
       }
       if (has_counted) continue;
@@ -145,6 +155,7 @@ class Course {
   StartedRun& run_;
   Progress progress_;
   double seconds_before_;
+  RestWatch rest_;
   double kept_ = run_.simulation.time();  // the last time at which a checkpoint was kept, or the run began
   Clock::time_point begin_ = Clock::now();
   Clock::time_point last_checkpoint_ = begin_;
@@ -168,10 +179,12 @@ ExitCode carry_out(StartedRun& run) {
         [&](const VelocityChange& change) { run.files->note(change, run.simulation.world()); });
     simulation.on_epoch([&](const Growth& epoch) { run.files->note(epoch); });
   }
-  const bool is_complete = Course(run).complete();
+  Course course(run);
+  const bool is_complete = course.complete();
   run.measures.sample_the_rest(simulation.world(), simulation.now());
-  const Summary summary(run.scenario, run.options.overrides, final_state(run.scenario, simulation),
-                        run.seconds);
+  FinalState state = final_state(run.scenario, simulation);
+  state.at_rest_since = course.at_rest_since();
+  const Summary summary(run.scenario, run.options.overrides, state, run.seconds);
   const std::string json = summary.json();
   if (run.files) {
     const std::vector<Measurement> measurements = run.measures.results(simulation.world(), simulation.now());

@@ -39,6 +39,7 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
           .counters = simulation.counters(),
           .domains = simulation.blocks().size(),
           .windows = simulation.windows(),
+          .at_rest_since = {},
           .sums = simulation.sums(),
           .totals = totals_of(world, simulation.now()),
           .step_energy = world.step_energy(),
@@ -60,7 +61,8 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
       seed_(scenario.seed),
       spheres_(state.spheres),
       is_flat_(state.world.box().is_flat()),
-      time_(state.now.value()),
+      time_(state.at_rest_since ? *scenario.until : state.now.value()),
+      at_rest_since_(state.at_rest_since),
       counters_(state.counters),
       domains_(state.domains),
       windows_(state.windows),
@@ -106,6 +108,7 @@ std::string Summary::json() const {
   nlohmann::ordered_json json;
   json["spheres"] = spheres_;
   json["time"] = time_;
+  if (at_rest_since_) json["at_rest_since"] = *at_rest_since_;
   json["events"] = {{"collision", counters_.collision},
                     {"wall", counters_.wall},
                     {"enter", counters_.enter},
@@ -180,6 +183,8 @@ std::string Summary::table() const {
   add("spheres", fmt::format("{}", spheres_));
   for (const SpeciesCount& species : species_) add("  " + species.name, fmt::format("{}", species.spheres));
   add("time", fmt::format("{:.6g}", time_));
+  if (at_rest_since_)
+    add("  at rest since", fmt::format("{:.6g}: nothing happens after that", *at_rest_since_));
   add("collisions", fmt::format("{}", counters_.collision));
   if (mergers_ > 0) add("  mergers", fmt::format("{}", mergers_));
   if (passes_ > 0) add("  passes", fmt::format("{}", passes_));

@@ -30,6 +30,7 @@ struct FinalState {
   Counters counters;
   std::size_t domains = 1;
   WindowCounters windows;
+  std::optional<double> at_rest_since;  ///< When all spheres came to rest, which is how they stay [T].
   ContactSums sums;
   Totals totals;
   double step_energy = 0;  ///< [M L^2 T^-2]
@@ -89,6 +90,7 @@ class Summary {
   std::size_t spheres_;
   bool is_flat_;
   double time_;
+  std::optional<double> at_rest_since_;
   Counters counters_;
   std::size_t domains_;
   WindowCounters windows_;  // in the table alone: files do not depend on the number of threads

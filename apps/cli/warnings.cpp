@@ -12,54 +12,23 @@
 #include <variant>
 
 #include "hardball/scenario/make_surfaces.hpp"
+#include "hardball/scenario/settling_heap.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball::cli {
 namespace {
 
-bool loses_energy(const BounceRules& rules) {
-  if (rules.elastic_below > 0 || rules.contact_duration > 0) return false;
-  const auto* constant = std::get_if<ConstantRestitution>(&rules.restitution);
-  return !constant || constant->value < 1;
+// Whether a rule keeps spheres that lose energy from meeting infinitely often.
+bool is_bounded(const BounceRules& rules) {
+  return rules.elastic_below > 0 || rules.contact_duration > 0 || rules.settle_under > 0;
 }
 
-bool loses_energy(const Scenario& scenario) {
-  const auto has_rule = scenario.bounce.elastic_below > 0 || scenario.bounce.contact_duration > 0;
-  const auto has_lossy_wall = [&](const auto& walls) {
-    return !has_rule &&
-           std::ranges::any_of(walls, [](const auto& wall) { return wall.restitution.value_or(1) < 1; });
-  };
-  return loses_energy(scenario.bounce) || has_lossy_wall(scenario.faces) || has_lossy_wall(scenario.walls) ||
-         has_lossy_wall(scenario.obstacles) ||
-         std::ranges::any_of(scenario.pairs, [](const PairDescription& pair) {
-           return pair.outcome == ContactOutcome::bounce && loses_energy(pair.bounce);
-         });
-}
-
-// Whether walls exchange energy with spheres, or a thermostat does.
-bool are_kept_moving(const Scenario& scenario) {
-  const auto is_warm = [](const auto& wall) { return wall.temperature.value_or(0) > 0; };
-  const auto moves = [](const auto& wall) { return wall.velocity != Vec3{}; };
-  const auto oscillates = [](const WallDescription& wall) { return wall.amplitude > 0; };
-  const auto any = [](const auto& walls, const auto&... drive) {
-    return std::ranges::any_of(walls, [&](const auto& wall) { return (drive(wall) || ...); });
-  };
-  return scenario.thermostat || any(scenario.faces, is_warm, moves) ||
-         any(scenario.walls, is_warm, moves, oscillates) || any(scenario.obstacles, is_warm);
-}
-
-bool is_round(const WallDescription& wall) {
-  return wall.shape != WallDescription::Shape::plane;
-}
-
-// Whether spheres that fall come to lie on something.
-bool has_floor(const Scenario& scenario) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (scenario.gravity[axis] != 0 && scenario.box[axis].boundary == Boundary::wall) return true;
-  }
-  return scenario.gravity != Vec3{} && std::ranges::any_of(scenario.walls, [&](const WallDescription& wall) {
-           return is_round(wall) || dot(wall.direction, scenario.gravity) < 0;
-         });
+// Whether spheres may lose energy by infinitely many contacts.
+bool may_collapse(const Scenario& scenario) {
+  if (!is_bounded(scenario.bounce)) return loses_energy(scenario);
+  return std::ranges::any_of(scenario.pairs, [](const PairDescription& pair) {
+    return pair.outcome == ContactOutcome::bounce && loses_energy(pair.bounce) && !is_bounded(pair.bounce);
+  });
 }
 
 bool has_walls(const Scenario& scenario) {
@@ -137,9 +106,9 @@ std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatisti
         "the space is open along {}: after a time of {:.2g} the spheres have flown apart and hardly meet",
         axes, apart));
   }
-  if (!loses_energy(scenario)) return warnings;
+  if (!may_collapse(scenario)) return warnings;
   const char* when = are_kept_moving(scenario) ? "may end" : "ends";
-  const char* unless = "by inelastic collapse, unless elastic_below or contact_duration is set in [response]";
+  const char* unless = "by inelastic collapse, unless settle or contact_duration is set in [response]";
   if (has_floor(scenario)) {
     warnings.push_back(
         fmt::format("spheres that lose energy come to rest under gravity: the run {} {}", when, unless));

@@ -40,11 +40,12 @@ bool have_not_parted(const Contact& contact) {
 
 void CollapseGuard::count(const Contact& contact) {
   const bool is_idle = have_not_parted(contact);
-  count(contact.first, is_idle, contact.time);
-  if (contact.is_collision()) count(contact.second, is_idle, contact.time);
+  count(contact.first, is_idle, contact);
+  if (contact.is_collision()) count(contact.second, is_idle, contact);
 }
 
-void CollapseGuard::count(SphereId id, bool is_idle, const Time& now) {
+void CollapseGuard::count(SphereId id, bool is_idle, const Contact& contact) {
+  const Time& now = contact.time;
   if (!is_idle) {
     // What creeps along may be hit now and then.
     constexpr std::uint32_t kMadeUp = 100;
@@ -60,13 +61,19 @@ void CollapseGuard::count(SphereId id, bool is_idle, const Time& now) {
   }
   if (has_journal_) changes_.push_back({now, id, idle_contacts_[id]});
   if (++idle_contacts_[id] < kMaxIdleContacts) return;
-  throw RunFailure(
-      "inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMaxIdleContacts) +
-      " times without separating from what hit it, at time " + to_text(now.value()) +
-      "; make slow impacts elastic (elastic_below) or those that follow another at once (contact_duration), "
-      "by larger values if they are set, raise the restitution, or " +
-      (now.value() > 0 ? "end the run before this time"
-                       : "place spheres that touch at the start farther apart"));
+  if (contact.pressing > 0 && contact.before.first == contact.before.second) {
+    throw RunFailure("sphere " + to_text(id) + " lies still, pressed against what does not move, at time " +
+                     to_text(now.value()) +
+                     ", and hard spheres bear a weight only by contacts; let it bounce (settle, or "
+                     "elastic_below), or place it higher");
+  }
+  throw RunFailure("inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMaxIdleContacts) +
+                   " times without separating from what hit it, at time " + to_text(now.value()) +
+                   "; let heaps settle (settle), make those impacts elastic that follow another at once "
+                   "(contact_duration) or are slow (elastic_below), "
+                   "by larger values if they are set, raise the restitution, or " +
+                   (now.value() > 0 ? "end the run before this time"
+                                    : "place spheres that touch at the start farther apart"));
 }
 
 void CollapseGuard::rewind(const Time& moment) {

@@ -78,7 +78,7 @@ class CollapseGuard {
   static void persist(auto& archive, auto& self) { archive(self.idle_contacts_); }
 
   void count(const Contact& contact);
-  void count(SphereId id, bool is_idle, const Time& now);
+  void count(SphereId id, bool is_idle, const Contact& contact);
 
   struct Change {
     Time time;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/interaction/bounce.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
@@ -46,12 +47,14 @@ Bounce::Bounce(const BounceRules& rules) : rules_(rules) {
   if (constant != nullptr) check_restitution(constant->value);
   check_not_negative(rules.elastic_below, "elastic_below", "give zero or a positive speed");
   check_not_negative(rules.contact_duration, "contact_duration", "give zero or a positive time");
+  check_not_negative(rules.settle_under, "settle_under", "give zero or a positive acceleration");
   const double tangential = rules.tangential_restitution.value_or(-1);
   if (!(tangential >= -1 && tangential <= 1)) {
     throw Error("tangential_restitution is " + to_text(tangential), "tangential_restitution",
                 "give a number between -1 and 1");
   }
-  if (constant != nullptr && rules.contact_duration == 0 && !rules.tangential_restitution) {
+  const bool is_instant = rules.contact_duration == 0 && rules.settle_under == 0;
+  if (constant != nullptr && is_instant && !rules.tangential_restitution) {
     restitution_ = Restitution(constant->value, rules.elastic_below);
   }
 }
@@ -60,11 +63,25 @@ Bounce::Bounce(const Restitution& restitution)
     : Bounce(BounceRules{.restitution = ConstantRestitution{restitution.coefficient()},
                          .elastic_below = restitution.elastic_below()}) {}
 
+double Bounce::contact_duration(const Contact& contact) const {
+  if (rules_.settle_under == 0) return rules_.contact_duration;
+  constexpr double kPartOfFall = 0.01;
+  const double radius =
+      contact.is_collision() ? std::min(contact.first_radius, contact.second_radius) : contact.first_radius;
+  return std::max(rules_.contact_duration, kPartOfFall * std::sqrt(2 * radius / rules_.settle_under));
+}
+
 double Bounce::coefficient_at(const Contact& contact) const {
   const double speed = contact.impact_speed();
-  if (speed < rules_.elastic_below || contact.flight() < rules_.contact_duration) return 1;
+  if (speed < rules_.elastic_below || contact.flight() < contact_duration(contact)) return 1;
   if (contact.wall_material.restitution && !contact.is_collision()) return *contact.wall_material.restitution;
   return std::visit([speed](const auto& law) { return law.at(speed); }, rules_.restitution);
+}
+
+double Bounce::least_parting_speed(const Contact& contact) const {
+  const double least = hardball::least_parting_speed(contact, rules_.elastic_below);
+  if (rules_.settle_under == 0) return least;
+  return std::max(least, contact.pressing * contact_duration(contact) / 2);
 }
 
 bool Bounce::decide_by_rules(Contact& contact) const {
@@ -74,8 +91,8 @@ bool Bounce::decide_by_rules(Contact& contact) const {
     contact.after.first = rethermalized(contact);
     return false;
   } else {
-    const double least = least_parting_speed(contact, rules_.elastic_below);
-    contact.after.first = velocity_after_bounce(contact, coefficient_at(contact), least);
+    contact.after.first =
+        velocity_after_bounce(contact, coefficient_at(contact), least_parting_speed(contact));
   }
   if (rules_.tangential_restitution) rub(*rules_.tangential_restitution, contact);
   return rules_.tangential_restitution.has_value();

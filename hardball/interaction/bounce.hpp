@@ -19,11 +19,18 @@ struct BounceRules {
   /// A contact is elastic if the motion of one of the bodies changed within this time before it [T]: the TC
   /// model. Zero if no contact is. Source: Luding and McNamara, Granular Matter 1 (1998) 113.
   double contact_duration = 0;
+  /// The acceleration under which heaps are to come to rest [L/T^2]; zero if they need not. A contact is then
+  /// elastic, too, if the motion of one of the bodies changed within a hundredth of sqrt(d / g) before it, d
+  /// being the diameter of the smaller, and a sphere that is pressed against a wall leaves it for at least as
+  /// long. Contacts that press spheres together follow each other faster than that, so that a heap bears its
+  /// weight by a finite number of them.
+  double settle_under = 0;
   /// The tangential velocity of the surfaces after a contact over that before, reversed [1]: from -1, smooth,
   /// over 0, sticking, to 1, perfectly rough; if absent, the bodies are smooth.
   std::optional<double> tangential_restitution = {};
   static void persist(auto& archive, auto& self) {
     archive(self.restitution, self.elastic_below, self.contact_duration, self.tangential_restitution);
+    if (archive.version() >= 10) archive(self.settle_under);
   }
 };
 
@@ -33,8 +40,8 @@ struct BounceRules {
 /// R6275, for spheres of equal size; here each sphere has a radius, mass and inertia factor of its own.
 class HARDBALL_EXPORT Bounce {
  public:
-  /// Error: a restitution is not between 0 and 1; the tangential one is not between -1 and 1; a speed or
-  /// duration is negative or not finite.
+  /// Error: a restitution is not between 0 and 1; the tangential one is not between -1 and 1; a speed, a
+  /// duration or an acceleration is negative or not finite.
   explicit Bounce(const BounceRules& rules = {});
   /// Smooth, with a constant coefficient.
   explicit Bounce(const Restitution& restitution);
@@ -56,7 +63,9 @@ class HARDBALL_EXPORT Bounce {
     return true;
   }
 
+  double contact_duration(const Contact& contact) const;
   double coefficient_at(const Contact& contact) const;
+  double least_parting_speed(const Contact& contact) const;
   bool decide_by_rules(Contact& contact) const;
 
   BounceRules rules_;

@@ -415,6 +415,14 @@ TableDescription response_keys() {
                             "momentum, angular momentum and volume of both; at walls they bounce",
                         .example = "\"merge\""});
   table.keys.push_back(
+      {.name = "settle",
+       .type = truth,
+       .meaning = "whether spheres come to rest in a heap: unless `contact_duration` is given, contacts are "
+                  "elastic that follow another within a hundredth of √(d / g), d being the smaller diameter, "
+                  "and a run waits for its end when all are at rest; true if not given, where spheres that "
+                  "lose energy fall on something and nothing keeps them moving",
+       .example = "false"});
+  table.keys.push_back(
       {.name = "pairs",
        .type = tables,
        .meaning = "other rules for pairs of species; keys that they do not give are as for all",

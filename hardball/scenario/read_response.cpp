@@ -9,6 +9,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/nearest_name.hpp"
+#include "hardball/scenario/settling_heap.hpp"
 
 namespace hardball {
 namespace {
@@ -117,6 +118,23 @@ SpeciesId species_named(const Value& name, std::span<const SpeciesDescription> s
   for (const SpeciesDescription& each : species) names.push_back(each.name);
   throw Error("there is no species \"" + shortened(wanted) + "\"", name.location(),
               names.empty() ? "add [[species]] with this name" : suggestion(wanted, names, '"'));
+}
+
+void read_settling(const Section& root, Scenario& scenario) {
+  const std::optional<Section> response = root.section("response");
+  const std::optional<Value> settle = response ? response->find("settle") : std::nullopt;
+  scenario.settles = settle ? settle->truth() : comes_to_rest(scenario);
+  if (!scenario.settles) return;
+  if (scenario.gravity == Vec3{}) {
+    throw Error("nothing settles without gravity", settle->location(), "give gravity in [box]");
+  }
+  const auto settle_by_default = [&](BounceRules& rules) {
+    if (rules.contact_duration == 0) rules.settle_under = length(scenario.gravity);
+  };
+  settle_by_default(scenario.bounce);
+  for (PairDescription& pair : scenario.pairs) {
+    if (pair.outcome == ContactOutcome::bounce) settle_by_default(pair.bounce);
+  }
 }
 
 void read_response(const Section& root, Scenario& scenario) {

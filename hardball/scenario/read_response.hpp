@@ -21,4 +21,8 @@ SpeciesId species_named(const Value& name, std::span<const SpeciesDescription> s
 /// with others, or a value is out of range.
 void read_response(const Section& root, Scenario& scenario);
 
+/// Decides whether spheres settle, by the table [response] or by what else the scenario has, which has been
+/// read before. Error, with the location of the value: they are to settle without gravity.
+void read_settling(const Section& root, Scenario& scenario);
+
 }  // namespace hardball

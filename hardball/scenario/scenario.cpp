@@ -253,6 +253,7 @@ Scenario read_scenario(const Document& document) {
   read_potentials(root, scenario);
   if (const auto thermostat = root.section("thermostat")) scenario.thermostat = read_thermostat(*thermostat);
   if (const auto growth = root.section("growth")) scenario.growth = read_growth(*growth);
+  read_settling(root, scenario);
   if (const auto run = root.section("run")) read_run(*run, scenario);
   if (const auto output = root.section("output")) read_output(*output, scenario);
   if (const auto measures = root.section("measures")) read_measures(*measures, scenario.measures);

@@ -160,7 +160,9 @@ struct HARDBALL_EXPORT Scenario {
   double start_velocity_scale = 0;          ///< What that rule prescribes.
   std::vector<SpeciesDescription> species;  ///< Named by their index; none if all spheres are alike.
   BounceRules bounce;                       ///< Of all contacts that `pairs` does not name.
-  bool merges = false;                      ///< Whether all spheres that `pairs` does not name merge.
+  /// Whether spheres come to rest in a heap, and the run then only waits for its end.
+  bool settles = false;
+  bool merges = false;  ///< Whether all spheres that `pairs` does not name merge.
   std::vector<PairDescription> pairs;
   std::vector<PotentialDescription> potentials;
   std::vector<BondsDescription> bonds;

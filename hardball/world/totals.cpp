@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/world/totals.hpp"
 
+#include <algorithm>
+
 namespace hardball {
 
 void Totals::note(const World& world, Slot slot, const Time& moment) {
@@ -11,6 +13,9 @@ void Totals::note(const World& world, Slot slot, const Time& moment) {
   const Vec3 of_sphere = hardball::momentum(world, slot, moment);
   for (std::size_t axis = 0; axis < kAxes; ++axis) momentum[axis] += of_sphere[axis];
   sphere_volume += world.box().sphere_volume(world.radius(slot, moment));
+  if (!world.is_kinematic(slot)) mass += world.mass(slot);
+  highest_speed =
+      std::max({highest_speed, length(world.path(slot).velocity), length(world.velocity(slot, moment))});
 }
 
 void Totals::add(const Totals& other) {
@@ -19,6 +24,8 @@ void Totals::add(const Totals& other) {
   energy.add(other.energy);
   for (std::size_t axis = 0; axis < kAxes; ++axis) momentum[axis].add(other.momentum[axis]);
   sphere_volume.add(other.sphere_volume);
+  mass.add(other.mass);
+  highest_speed = std::max(highest_speed, other.highest_speed);
 }
 
 Totals totals_of(const World& world, const Time& moment) {

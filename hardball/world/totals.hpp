@@ -18,6 +18,9 @@ struct Totals {
   ExactSum energy;                       ///< [M L^2 T^-2]
   std::array<ExactSum, kAxes> momentum;  ///< [M L/T]
   ExactSum sphere_volume;                ///< [L^3], in two dimensions [L^2].
+  ExactSum mass;                         ///< Without kinematic spheres [M].
+  /// Of the fastest sphere, at the moment or when its velocity last changed [L/T].
+  double highest_speed = 0;
 
   /// Adds a sphere as it is at `moment`.
   void note(const World& world, Slot slot, const Time& moment);
@@ -25,7 +28,8 @@ struct Totals {
   Vec3 total_momentum() const { return {momentum[0].value(), momentum[1].value(), momentum[2].value()}; }
 
   static void persist(auto& archive, auto& self) {
-    archive(self.kinetic_energy, self.rotational_energy, self.energy, self.momentum, self.sphere_volume);
+    archive(self.kinetic_energy, self.rotational_energy, self.energy, self.momentum, self.sphere_volume,
+            self.mass, self.highest_speed);
   }
 };
 

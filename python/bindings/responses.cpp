@@ -112,6 +112,7 @@ std::string text_of(const Bounce& bounce) {
   call.add(std::visit([](const auto& law) { return text_of(law); }, rules.restitution));
   if (rules.elastic_below != 0) call.add("elastic_below", rules.elastic_below);
   if (rules.contact_duration != 0) call.add("contact_duration", rules.contact_duration);
+  if (rules.settle_under != 0) call.add("settle_under", rules.settle_under);
   if (rules.tangential_restitution) call.add("tangential_restitution", *rules.tangential_restitution);
   return call.text();
 }
@@ -266,17 +267,21 @@ void bind_responses(py::module_& module) {
       .def("__repr__", [](const TabulatedRestitution& self) { return text_of(self); });
   py::class_<Bounce>(module, "Bounce", doc::Bounce)
       .def(py::init([](const py::object& restitution, double elastic_below, double contact_duration,
-                       std::optional<double> tangential_restitution) {
+                       double settle_under, std::optional<double> tangential_restitution) {
              return Bounce({.restitution = law_of(restitution),
                             .elastic_below = elastic_below,
                             .contact_duration = contact_duration,
+                            .settle_under = settle_under,
                             .tangential_restitution = tangential_restitution});
            }),
            py::arg("restitution") = 1.0, py::kw_only(), py::arg("elastic_below") = 0.0,
-           py::arg("contact_duration") = 0.0, py::arg("tangential_restitution") = py::none(),
+           py::arg("contact_duration") = 0.0, py::arg("settle_under") = 0.0,
+           py::arg("tangential_restitution") = py::none(),
            "`restitution` is a number from 0 to 1 or one of the laws of restitution. Impacts slower than "
            "`elastic_below` [L/T] are elastic, and those within `contact_duration` [T] of another: the TC "
-           "model. With `tangential_restitution`, from -1, smooth, to 1, perfectly rough, the spheres spin.")
+           "model. With `settle_under`, the acceleration of gravity [L/T^2], those within a hundredth of "
+           "sqrt(d / g) are, so that heaps come to rest; d is the diameter of the smaller sphere. With "
+           "`tangential_restitution`, from -1, smooth, to 1, perfectly rough, the spheres spin.")
       .def(pickled<Bounce>())
       .def("__repr__", [](const Bounce& self) { return text_of(self); });
   py::class_<Merging>(module, "Merging", doc::Merging)

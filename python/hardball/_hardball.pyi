@@ -135,6 +135,7 @@ class Bounce:
         *,
         elastic_below: float = ...,
         contact_duration: float = ...,
+        settle_under: float = ...,
         tangential_restitution: float | None = ...,
     ) -> None: ...
 

@@ -67,7 +67,7 @@ FilesState written(const std::filesystem::path& directory, const Scenario& scena
   FilesState state;
   for (int frame = 0; frame < frames; ++frame) {
     if (frame == kept) state = saved(files);
-    files.write_snapshot(simulation);
+    files.write_snapshot(simulation, simulation.time());
   }
   return state;
 }
@@ -90,7 +90,7 @@ TEST(RunFiles, OfAnyFormatsInAnyOrderAreCutBackToWhatEachOfThemWas) {
     std::ranges::reverse(formats);
     RunFiles files(folder / "run", scenario_of(formats), state);
     const Simulation simulation(two_spheres());
-    for (int frame = 2; frame < 5; ++frame) files.write_snapshot(simulation);
+    for (int frame = 2; frame < 5; ++frame) files.write_snapshot(simulation, simulation.time());
     files.keep_current();
     EXPECT_TRUE(files_in(folder / "run") == whole) << subset;
   }

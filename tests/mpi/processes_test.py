@@ -74,6 +74,27 @@ trajectory = ["lammps", "xyz.zst"]
 event_log = true
 """
 
+HEAP = """
+[box]
+size = [12.0, 12.0, 12.0]
+boundary = ["periodic", "periodic", "wall"]
+gravity = [0.0, 0.0, -1.0]
+[[spheres]]
+count = 200
+radius = 0.5
+placement = "random"
+temperature = 0.5
+[response]
+restitution = 0.5
+[run]
+until = 40.0
+[output]
+snapshots_every = 10.0
+event_log = true
+[measures]
+names = []
+"""
+
 
 def run(arguments, processes=None, succeeds=True):
     command = (MPIRUN + ["-n", str(processes)] if processes else []) + [PROGRAM] + arguments
@@ -118,6 +139,15 @@ class Processes(unittest.TestCase):
                 run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet", "--threads",
                      str(threads)], processes)
                 self.expect_same(directory, expected)
+
+    def test_a_heap_comes_to_rest_as_in_one_process(self):
+        scenario = self.scenario(HEAP)
+        expected = self.run_alone(scenario, "--overwrite")
+        rest = json.loads((expected / "summary.json").read_text())["at_rest_since"]
+        self.assertLess(rest, 30)
+        run(["run", scenario, "--out", str(self.folder / "heap"), "--overwrite", "--quiet"], 3)
+        self.expect_same(self.folder / "heap", expected)
+        self.assertEqual(json.loads((self.folder / "heap" / "summary.json").read_text())["at_rest_since"], rest)
 
     def expect_same_measures(self, directory, expected):
         names = sorted(path.name for path in (expected / "measures").iterdir())

@@ -186,6 +186,31 @@ TEST(Bounce, IsElasticSoonAfterAnotherContact) {
   EXPECT_NEAR(ratio(), 1, 1e-14);
 }
 
+TEST(Bounce, LetsHeapsSettle) {
+  Random random(5);
+  Contact contact = any_collision(random);
+  contact.first_radius = 0.5;
+  contact.second_radius = 2;
+  const double gravity = 4;
+  const double duration = 0.01 * std::sqrt(1 / gravity);
+  const Bounce bounce({.restitution = ConstantRestitution{0.5}, .settle_under = gravity});
+  const double before = normal_speed(contact, contact.before);
+  const auto ratio = [&] { return -normal_speed(contact, bounce(contact).velocities) / before; };
+  contact.first_since = Time(1 - 1.1 * duration);
+  EXPECT_NEAR(ratio(), 0.5, 1e-14);
+  contact.first_since = Time(1 - 0.9 * duration);
+  EXPECT_NEAR(ratio(), 1, 1e-14);
+  // A sphere that lies on a wall leaves it for that long.
+  contact.kind = EventKind::wall;
+  contact.second_since = Time(-kInfinity);
+  contact.wall_normal = {0, 0, -1};
+  contact.before = {{1, 0, 0}, {}};
+  for (const double pressing : {gravity, -gravity}) {
+    contact.pressing = pressing;
+    EXPECT_DOUBLE_EQ(bounce(contact).velocities.first.z, pressing > 0 ? gravity * duration / 2 : 0);
+  }
+}
+
 TEST(Bounce, IsElasticIfSlow) {
   Random random(6);
   const Contact contact = any_collision(random);
@@ -205,6 +230,7 @@ TEST(Bounce, RefusesRulesOutOfRange) {
   for (const double bad : {-1.0, kInfinity, nan}) {
     EXPECT_THROW(Bounce({.elastic_below = bad}), Error);
     EXPECT_THROW(Bounce({.contact_duration = bad}), Error);
+    EXPECT_THROW(Bounce({.settle_under = bad}), Error);
   }
   for (const double bad : {-1.1, 1.1, nan}) EXPECT_THROW(Bounce({.tangential_restitution = bad}), Error);
 }
