@@ -63,6 +63,8 @@ def main():
         write_page(page, source / page.name)
     for name in ("conf.py", "katex.js"):
         shutil.copy(SITE / name, source)
+    (source / "_static").mkdir()
+    shutil.copy(SITE / "site.css", source / "_static")
     shutil.copytree(KATEX / "fonts", source / "_static" / "katex" / "fonts")
     shutil.copy(KATEX / "katex.min.css", source / "_static" / "katex")
     decisions = sorted(page.stem for page in (ROOT / "docs" / "decisions").glob("*.md"))

@@ -76,6 +76,16 @@ class Site(unittest.TestCase):
         self.assertEqual(faults, ["page.html needs lost.js, which is not there"])
 
 
+    def test_prose_that_is_set_as_a_formula_is_found(self):
+        def formula(text):
+            return f'<annotation encoding="application/x-tex">{text}</annotation>'
+
+        for body in (r"\lim_{t\to\infty} \frac{\sin \alpha}{\text{that is all of it}}", "a b c", r"\alpha \beta \gamma"):
+            self.assertEqual(self.faults("", formula(body)), [], body)
+        faults = self.faults("", formula(" cells, as rows are released late, "))
+        self.assertEqual(faults, ["page.html sets prose as a formula: cells, as rows"])
+
+
 class Address(unittest.TestCase):
     def test_pages_name_it_where_it_is_known(self):
         page = "git clone ADDRESS hardball\nADDRESSES"
