@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Checks of the documentation site: that it needs no network, that its formulas are formulas, and that the C++ reference
-is complete."""
+"""Checks of the documentation site: that it needs no network, that its formulas are formulas, and that the C++
+reference is complete."""
 
 import re
 import xml.etree.ElementTree

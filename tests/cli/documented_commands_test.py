@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Runs every command line of the program that README.md, docs/*.md and the pages of the site show, page by page, each in a folder with the
-scenarios and, as gas.toml, the first scenario of the page. What a console shows must be what is printed, where "…"
-stands for any part of a line, or alone on a line for any lines. Reads the scenario parts on pages other than
-docs/scenarios.md, which another test reads.
+"""Runs every command line of the program that README.md, docs/*.md and the pages of the site show, page by page, each in
+a folder with the scenarios and, as gas.toml, the first scenario of the page. What a console shows must be what is
+printed, where "…" stands for any part of a line, or alone on a line for any lines. Reads the scenario parts on pages
+other than docs/scenarios.md, which another test reads.
 
 Usage: documented_commands_test.py PROGRAM PROJECT
 """
@@ -98,7 +98,8 @@ def check_parts(page, program, project):
 
 def main():
     program, project = map(Path, map(os.path.abspath, sys.argv[1:]))
-    pages = [project / "README.md", *sorted((project / "docs").glob("*.md")), *sorted((project / "docs/site").glob("*.md"))]
+    docs = project / "docs"
+    pages = [project / "README.md", *sorted(docs.glob("*.md")), *sorted(docs.glob("site/*.md"))]
     ran = sum(run_page(page, program, project) for page in pages)
     assert ran > 15, "the pages show more than that"
     for page in pages:

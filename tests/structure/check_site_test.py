@@ -80,7 +80,8 @@ class Site(unittest.TestCase):
         def formula(text):
             return f'<annotation encoding="application/x-tex">{text}</annotation>'
 
-        for body in (r"\lim_{t\to\infty} \frac{\sin \alpha}{\text{that is all of it}}", "a b c", r"\alpha \beta \gamma"):
+        fraction = r"\lim_{t\to\infty} \frac{\sin \alpha}{\text{that is all of it}}"
+        for body in (fraction, "a b c", r"\alpha \beta \gamma"):
             self.assertEqual(self.faults("", formula(body)), [], body)
         faults = self.faults("", formula(" cells, as rows are released late, "))
         self.assertEqual(faults, ["page.html sets prose as a formula: cells, as rows"])

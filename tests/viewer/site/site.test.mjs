@@ -10,7 +10,8 @@ import { pathToFileURL } from 'node:url';
 import { Browser } from '../support/browser.mjs';
 
 const kSite = process.env.HARDBALL_SITE;
-const kPages = readdirSync(kSite, { recursive: true }).filter((name) => name.endsWith('.html') && !name.startsWith('_'));
+const kFiles = readdirSync(kSite, { recursive: true });
+const kPages = kFiles.filter((name) => name.endsWith('.html') && !name.startsWith('_'));
 
 let browser;
 

@@ -461,7 +461,8 @@ export class Viewer {
     return roundUp(quantile(rates.filter((_, id) => bodies.exists(id)), 0.94));
   }
 
-  // Whether spheres of this recording can differ in what the coloring shows. Domains are offered once there are several.
+  // Whether spheres of this recording can differ in what the coloring shows. Domains are offered once there are
+  // several.
   offersColoring(name) {
     if (name === 'speed') return !this.isAtRest;
     if (name === 'collisions' || name === 'last contact') return !this.isStill;
