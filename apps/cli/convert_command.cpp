@@ -8,6 +8,7 @@
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/refuse_to_overwrite.hpp"
 #include "apps/cli/terminal.hpp"
+#include "apps/cli/written.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
@@ -59,9 +60,7 @@ ExitCode convert(const Options& options) {
     Trajectory::remove(out);
     throw;
   }
-  const std::size_t count = frames.end - frames.begin;
-  write_output(out.string() + ": " + to_text(count) + (count == 1 ? " frame" : " frames") + ", " +
-               std::string(name_of(format)) + "\n");
+  write_output(written_line(out, count_of(frames.end - frames.begin, "frame")));
   return ExitCode::done;
 }
 

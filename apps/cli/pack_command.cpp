@@ -20,6 +20,7 @@
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/version.hpp"
+#include "apps/cli/written.hpp"
 #include "apps/report/packing_report.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checkpoint_file.hpp"
@@ -100,13 +101,25 @@ void write(const PackedSpheres& spheres, const std::filesystem::path& file) {
   trajectory.close();
 }
 
+// The number of spheres or discs, in words.
+std::string spheres_text(const PackedSpheres& spheres) {
+  return count_of(spheres.size(), spheres.container.dimensions == 2 ? "disc" : "sphere");
+}
+
 void write_pages(const Packing& packing, const Options& options) {
-  const std::string name =
-      to_text(packing.spheres.size()) + (packing.spheres.container.dimensions == 2 ? " discs" : " spheres");
+  const std::string name = spheres_text(packing.spheres);
   if (options.report) replace_file(*options.report, report::to_html(packing, name, "Hardball " + version()));
 #if HARDBALL_VIEWER
   if (options.replay) write_replay(packing, name, *options.replay);
 #endif
+}
+
+std::string written_files(const PackedSpheres& spheres, const Options& options) {
+  std::string text;
+  for (const std::string& out : options.outs) text += written_line(out, spheres_text(spheres));
+  for (const auto& page : {options.report, options.replay})
+    if (page) text += written_line(*page, spheres_text(spheres));
+  return text;
 }
 
 // Runs to the end, or until the time is spent or a signal comes; from time to time a checkpoint is written.
@@ -194,7 +207,7 @@ ExitCode pack(const Options& options) {
   for (const std::string& out : options.outs) write(packing.spheres, out);
   write_pages(packing, options);
   const PackingSummary summary{packing, seconds_since(begin), packer->plan().seed, options.outs};
-  write_output(options.json ? summary.json() : summary.table());
+  write_output(options.json ? summary.json() : summary.table() + written_files(packing.spheres, options));
   if (!packer->is_over() && !options.outs.empty()) {
     write_message("interrupted; go on with: hardball pack --resume " + checkpoint_of(options).string() +
                   " --out " + options.outs.front());

@@ -71,7 +71,6 @@ std::string PackingSummary::table() const {
   add("growth rate", to_text(packing.rate));
   add("collisions", to_text(packing.collisions));
   add("seconds", fmt::format("{:.2f}", seconds));
-  for (const std::string& file : files) add("file", file);
   if (packing.suggested_rate > 0) add("rate to try", fmt::format("{:.3g}", packing.suggested_rate));
   return text;
 }

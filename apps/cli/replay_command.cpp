@@ -9,6 +9,7 @@
 #include "apps/cli/refuse_to_overwrite.hpp"
 #include "apps/cli/shown_run.hpp"
 #include "apps/cli/terminal.hpp"
+#include "apps/cli/written.hpp"
 #include "apps/viewer/built_page.hpp"
 #include "apps/viewer/replay.hpp"
 #include "hardball/errors/error.hpp"
@@ -29,6 +30,8 @@ ExitCode replay(const Options& options) {
   }
   viewer::Replay(shown.recording(), viewer::built_page()).write(*options.out);
   const viewer::RunProgress progress = shown.recording().progress();
+  write_output(written_line(*options.out, count_of(shown.recording().header().spheres, "sphere") + ", " +
+                                              count_of(progress.collisions, "collision")));
   if (progress.failure) write_message(*progress.failure + "; " + *options.out + " shows it up to there");
   if (progress.damage) write_message(*progress.damage);
   return progress.failure || progress.damage ? ExitCode::failed : ExitCode::done;

@@ -21,6 +21,7 @@
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/unit_costs.hpp"
 #include "apps/cli/warnings.hpp"
+#include "apps/cli/written.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/output_file.hpp"
 #include "hardball/scenario/make_simulation.hpp"
@@ -228,12 +229,14 @@ ExitCode tune(const Options& options) {
   const GasStatistics statistics = gas_statistics(simulation.world(), simulation.now());
   const Sweep sweep = sweep_cell_edges(simulation, simulation.options(), *budget);
   budget.reset();
+  std::string files;
   if (options.out) {
     const std::filesystem::path directory = *options.out;
     write_file(directory / "tune.csv", csv(sweep, statistics.spheres));
     write_file(directory / "tune.svg", figure(sweep, scenario, statistics.spheres));
+    for (const char* name : {"tune.csv", "tune.svg"}) files += written_line(directory / name);
   }
-  write_output(table(sweep, statistics, engine_options.unit_costs) + notes);
+  write_output(table(sweep, statistics, engine_options.unit_costs) + notes + files);
   return ExitCode::done;
 }
 

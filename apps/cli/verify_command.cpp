@@ -70,7 +70,7 @@ class Comparison {
  public:
   explicit Comparison(const Scenario& scenario)
       : scenario_(scenario), start_(make_world(scenario, {}, write_message)) {
-    write_output(fmt::format("{:<22}{:>16}{:>12}{:>9}{:>13}{:>9}\n", "run", "event log hash", "collisions",
+    write_output(fmt::format("{:<24}{:>16}{:>12}{:>9}{:>13}{:>9}\n", "run", "event log hash", "collisions",
                              "overlap", "final state", "seconds"));
   }
 
@@ -82,12 +82,12 @@ class Comparison {
     const bool same = is_same(outcome, *first_);
     is_good_ = is_good_ && same && outcome.is_sound;
     const std::string state = is_first ? "" : same ? "same" : "DIFFERENT";
-    write_output(fmt::format("{:<22}{:016x}{:>12}{:>9.1e}{:>13}{:>9.2f}\n", name, outcome.hash,
+    write_output(fmt::format("{:<24}{:016x}{:>12}{:>9.1e}{:>13}{:>9.2f}\n", name, outcome.hash,
                              outcome.counters.collision, outcome.max_overlap, state, outcome.seconds));
   }
 
   void leave_out(const std::string& name, const std::string& reason) {
-    write_output(fmt::format("{:<22}skipped: {}\n", name, reason));
+    write_output(fmt::format("{:<24}skipped: {}\n", name, reason));
   }
 
   const World& start() const { return start_; }

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import nbclient
 import nbformat
+from address import with_address
 from checks import faults_of_site, missing_from_reference
 from conf import KATEX
 from nbconvert import MarkdownExporter
@@ -27,7 +28,7 @@ REPOSITORY_LINK = re.compile(r"\]\((?:\.\./)+((?:README|scenarios|notebooks|hard
 
 def write_page(page, target):
     # What is not on the site is named, not linked.
-    text = re.sub(r"\[([^\]]+)" + REPOSITORY_LINK.pattern, r"`\2`", page.read_text())
+    text = re.sub(r"\[([^\]]+)" + REPOSITORY_LINK.pattern, r"`\2`", with_address(page.read_text()))
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text(text)
 
@@ -59,9 +60,11 @@ def main():
         write_page(page, source / page.relative_to(ROOT / "docs"))
     shutil.copytree(ROOT / "docs" / "figures", source / "figures")
     for page in SITE.glob("*.md"):
-        shutil.copy(page, source)
+        write_page(page, source / page.name)
     for name in ("conf.py", "katex.js"):
         shutil.copy(SITE / name, source)
+    (source / "_static").mkdir()
+    shutil.copy(SITE / "site.css", source / "_static")
     shutil.copytree(KATEX / "fonts", source / "_static" / "katex" / "fonts")
     shutil.copy(KATEX / "katex.min.css", source / "_static" / "katex")
     decisions = sorted(page.stem for page in (ROOT / "docs" / "decisions").glob("*.md"))

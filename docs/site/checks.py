@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Checks of the documentation site: that it needs no network, and that the C++ reference is complete."""
+"""Checks of the documentation site: that it needs no network, that its formulas are formulas, and that the C++
+reference is complete."""
 
 import re
 import xml.etree.ElementTree
@@ -8,6 +9,9 @@ from html.parser import HTMLParser
 
 NETWORK = re.compile(r"(?:[a-z]+:)?//", re.IGNORECASE)
 STYLE_REQUEST = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?!url\()([^"')\s]+)""")
+FORMULA = re.compile(r'<annotation encoding="application/x-tex">(.*?)</annotation>', re.DOTALL)
+TEXT_IN_FORMULA = re.compile(r"\\(?:text|mathrm|textrm|operatorname)\{[^}]*\}")
+PROSE = re.compile(r"(?<![\\a-z])[a-z]{2,},? [a-z]{2,},? [a-z]{2,}")
 REFERENCE_ENTRY = re.compile(r"^\.\. doxygen(?:class|struct|enum|typedef):: (\S+)", re.MULTILINE)
 
 
@@ -37,10 +41,13 @@ class Requests(HTMLParser):
 
 def faults_of_site(folder):
     """What is wrong with the built pages in `folder`, as a list of texts: addresses that are fetched from the network
-    or are not there."""
+    or are not there, and prose between formulas that is set as a formula, as where a dollar sign is missing."""
     faults = []
     for page in sorted([*folder.rglob("*.html"), *folder.rglob("*.css")]):
         text = page.read_text(encoding="utf-8")
+        for formula in FORMULA.findall(text):
+            if prose := PROSE.search(TEXT_IN_FORMULA.sub("", formula)):
+                faults.append(f"{page.relative_to(folder)} sets prose as a formula: {prose[0]}")
         addresses = STYLE_REQUEST.findall(text) if page.suffix == ".css" else Requests(text).addresses
         for address in sorted({address for address in addresses if address}):
             if address.startswith(("data:", "#")):

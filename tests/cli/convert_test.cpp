@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "cli/program.hpp"
+#include "cli/written.hpp"
 
 namespace hardball::convert_test {
 namespace {
 
+using support::expect_written;
 using support::Outcome;
 using support::read_text;
 using support::run_program;
@@ -44,17 +46,24 @@ TEST_F(Convert, WritesWhatARunWrites) {
     for (const std::string ending : {"xyz", "xyz.zst", "gsd", "lammpstrj"}) {
       const Outcome outcome = convert(in, "a." + ending, {"--overwrite"});
       EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
-      EXPECT_NE(outcome.output.find("6 frames"), std::string::npos) << outcome.output;
+      expect_written(outcome.output, folder_, "a." + ending, "6 frames");
       EXPECT_EQ(text("a." + ending), text("out/trajectory." + ending)) << in << " to " << ending;
     }
-    EXPECT_EQ(convert(in, "trajectory.pvd", {"--overwrite"}).exit_code, 0);
+    const Outcome outcome = convert(in, "trajectory.pvd", {"--overwrite"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    std::uintmax_t bytes = std::filesystem::file_size(folder_ / "trajectory.pvd");
+    for (const auto& frame : std::filesystem::directory_iterator(folder_ / "trajectory"))
+      bytes += frame.file_size();
+    expect_written(outcome.output, "trajectory.pvd", bytes, "6 frames");
     EXPECT_EQ(text("trajectory.pvd"), text("out/trajectory.pvd"));
     EXPECT_EQ(text("trajectory/00000005.vtp"), text("out/trajectory/00000005.vtp"));
   }
 }
 
 TEST_F(Convert, TakesTheLastFrameForATableAndAnyThatIsAskedFor) {
-  EXPECT_EQ(convert("out/trajectory.gsd", "last.csv").exit_code, 0);
+  const Outcome outcome = convert("out/trajectory.gsd", "last.csv");
+  EXPECT_EQ(outcome.exit_code, 0);
+  expect_written(outcome.output, folder_, "last.csv", "1 frame");
   EXPECT_EQ(convert("out/trajectory.gsd", "fifth.csv", {"--frame", "5"}).exit_code, 0);
   EXPECT_EQ(convert("out/trajectory.gsd", "first.csv", {"--frame", "0"}).exit_code, 0);
   EXPECT_EQ(text("last.csv"), text("fifth.csv"));

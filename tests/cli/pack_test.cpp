@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "cli/program.hpp"
+#include "cli/written.hpp"
 
 namespace hardball::pack_test {
 namespace {
@@ -76,6 +77,16 @@ TEST_F(Pack, WritesAPageThatShowsForces) {
   packed({"--count", "20", "--phi", "max", "--rate", "0.1", "--replay", "page.html"});
   EXPECT_NE(text("page.html").find("show-forces"), std::string::npos);
   EXPECT_EQ(pack({"--count", "9", "--phi", "0.3", "--replay", "page.html"}).exit_code, 2) << "it exists";
+}
+
+TEST_F(Pack, SaysWhatItHasWritten) {
+  const Arguments arguments{"--count", "20",    "--phi",    "0.4",    "--out",    "a.xyz",
+                            "--out",   "a.npy", "--report", "r.html", "--replay", "p.html"};
+  const Outcome outcome = pack(arguments);
+  for (const std::string file : {"a.xyz", "a.npy", "r.html", "p.html"})
+    support::expect_written(outcome.output, folder_, file, "20 spheres");
+  const Outcome flat = pack({"--count", "9", "--phi", "0.4", "--dimensions", "2", "--out", "d.csv"});
+  support::expect_written(flat.output, folder_, "d.csv", "9 discs");
 }
 
 TEST_F(Pack, WritesEveryFormat) {

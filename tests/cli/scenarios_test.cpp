@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
 #include <vector>
 
 #include "cli/program.hpp"
+#include "hardball/errors/error.hpp"
 #include "hardball/scenario/scenario.hpp"
 
 namespace hardball::scenarios_test {
@@ -59,6 +61,9 @@ TEST_P(EveryScenario, IsTheSameWithAllEngines) {
   for (const char* line : {"ordered queue", "edge", "paper", "all-pairs", "all runs are the same"}) {
     EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
   }
+  EXPECT_FALSE(std::regex_search(outcome.output, std::regex("[^ \n][0-9a-f]{16} +[0-9]+ ")))
+      << "the name of a run touches its hash:\n"
+      << outcome.output;
 }
 
 TEST(Verify, LeavesOutDomainsThatCannotShareTheSpheres) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
+#include "cli/written.hpp"
 
 namespace hardball::tune_test {
 namespace {
@@ -100,7 +101,10 @@ TEST_F(Tune, WritesATableInWhichPredictionsAgreeWithCounts) {
 }
 
 TEST_F(Tune, DrawsAFigure) {
-  ASSERT_EQ(tune({"--out", "out"}).exit_code, 0);
+  const Outcome outcome = tune({"--out", "out"});
+  ASSERT_EQ(outcome.exit_code, 0);
+  for (const std::string file : {"out/tune.csv", "out/tune.svg"})
+    support::expect_written(outcome.output, folder_, file, "");
   const std::string figure = read_text(folder_ / "out/tune.svg");
   EXPECT_NE(figure.find("<svg"), std::string::npos);
   EXPECT_NE(figure.find("auto"), std::string::npos);

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "cli/program.hpp"
+#include "cli/written.hpp"
 #include "hardball/recording/recording_reader.hpp"
 #include "hardball/recording/recording_writer.hpp"
 
@@ -221,6 +222,16 @@ TEST_F(View, ReplayIsOneFileWithTheWholeRecording) {
   EXPECT_EQ(recorded.find("src=\"page.js\""), std::string::npos);
   EXPECT_EQ(recorded.find("href=\"page.css\""), std::string::npos);
   EXPECT_EQ(read_text(folder_ / "live.html").size(), recorded.size());
+}
+
+TEST_F(View, ReplaySaysWhatItHasWritten) {
+  const json summary = run_json({"--out", "out", "--set", "output.recording=true"});
+  const std::string contents = to_string(summary["spheres"]) + " spheres, " +
+                               to_string(summary["events"]["collision"]) + " collisions";
+  for (const std::string what : {"out", "gas.toml"}) {
+    const Outcome outcome = run_program(folder_, {"replay", what, "--out", what + ".html"});
+    support::expect_written(outcome.output, folder_, what + ".html", contents);
+  }
 }
 
 TEST_F(View, ReplayReplacesAFileOnlyIfItIsTold) {

@@ -14,6 +14,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, sys.argv.pop(1))
+from address import with_address  # noqa: E402
 from checks import faults_of_site, missing_from_reference  # noqa: E402
 
 NAMESPACE = """<doxygen><compounddef><sectiondef>
@@ -73,6 +74,24 @@ class Site(unittest.TestCase):
     def test_what_is_not_there_is_found(self):
         faults = self.faults('<script src="lost.js"></script>')
         self.assertEqual(faults, ["page.html needs lost.js, which is not there"])
+
+
+    def test_prose_that_is_set_as_a_formula_is_found(self):
+        def formula(text):
+            return f'<annotation encoding="application/x-tex">{text}</annotation>'
+
+        fraction = r"\lim_{t\to\infty} \frac{\sin \alpha}{\text{that is all of it}}"
+        for body in (fraction, "a b c", r"\alpha \beta \gamma"):
+            self.assertEqual(self.faults("", formula(body)), [], body)
+        faults = self.faults("", formula(" cells, as rows are released late, "))
+        self.assertEqual(faults, ["page.html sets prose as a formula: cells, as rows"])
+
+
+class Address(unittest.TestCase):
+    def test_pages_name_it_where_it_is_known(self):
+        page = "git clone ADDRESS hardball\nADDRESSES"
+        self.assertEqual(with_address(page, "a.b/\\1"), "git clone a.b/\\1 hardball\nADDRESSES")
+        self.assertEqual(with_address(page, ""), page)
 
 
 class Reference(unittest.TestCase):

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The page that pack writes: spheres at rest, and the forces that hold them.
+// Pages that show one moment, such as that of a packing: they have no controls of time, and of motion only where
+// spheres move.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { Browser } from '../support/browser.mjs';
-import { run, withFolder } from '../support/program.mjs';
+import { run, withFolder, writeScenario } from '../support/program.mjs';
 
 let browser;
 
@@ -32,6 +33,24 @@ async function coverage(page) {
   return covered / all;
 }
 
+// What only makes sense as time passes, and where spheres move.
+const kOfTime = ['#transport', '#play', '#scrub', '#speed', '#show-cells', '#show-events', '#slow', '#plot-rate'];
+const kOfMotion = ['#plots', '#plot-speeds'];
+
+const visible = async (page, selectors) => {
+  const seen = await Promise.all(selectors.map((selector) => page.isVisible(selector)));
+  return selectors.filter((_, k) => seen[k]);
+};
+const colorings = (page) => page.locator('#color-by option').allTextContents();
+const keys = async (page) => {
+  await page.keyboard.press('?');
+  const shown = await page.locator('#help-keys dt').allTextContents();
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => document.activeElement === document.body);
+  return shown;
+};
+const pixelsOf = async (page) => (await browser.pixels(page)).data;
+
 for (const options of [['--dimensions', '2', '--phi', 'max'], ['--phi', 'max'], ['--phi', '0.3']])
   test(`the page of a packing: ${options.join(' ')}`, async () => {
     await withFolder(async (folder) => {
@@ -40,7 +59,25 @@ for (const options of [['--dimensions', '2', '--phi', 'max'], ['--phi', 'max'], 
       const page = await browser.open(pathToFileURL(file).href, { width: 1200, height: 800 });
       const hasForces = options.includes('max');
       assert.equal(await page.isVisible('#show-forces'), hasForces);
-      const { forces, spheres } = await page.evaluate(() => window.hardball.state());
+      const { forces, spheres, colorBy } = await page.evaluate(() => window.hardball.state());
+      assert.deepEqual(await visible(page, [...kOfTime, ...kOfMotion]), []);
+      assert.equal(await page.isVisible('#screenshot'), true);
+      assert.deepEqual(await colorings(page), ['Size', 'Species', ...(hasForces ? ['Contacts'] : [])]);
+      assert.equal(await page.inputValue('#color-by'), colorBy);
+      const isFlat = options.includes('2');
+      assert.deepEqual(await keys(page), [
+        ...['← → ↑ ↓', '+ −', ...(isFlat ? [] : ['X Y Z']), 'F', '0', 'G'],
+        ...['I', ...(hasForces ? ['L'] : []), 'Esc', '?'],
+      ]);
+      await page.evaluate(() => window.hardball.follow(0));
+      await page.waitForSelector('#sphere', { state: 'visible' });
+      const card = ['#sphere-position', '#sphere-contacts', '#sphere-velocity', '#sphere-speed', '#sphere-collisions'];
+      assert.deepEqual(
+        await visible(page, [...card, '#sphere-next', '#sphere-crossing', '#camera-follows']),
+        ['#sphere-position', ...(hasForces ? ['#sphere-contacts'] : [])],
+      );
+      await page.evaluate(() => window.hardball.follow(null));
+      await page.waitForSelector('#sphere', { state: 'hidden' });
       assert.equal(spheres, 80);
       if (hasForces) {
         assert.ok(forces > 100, `${forces}`);
@@ -49,9 +86,50 @@ for (const options of [['--dimensions', '2', '--phi', 'max'], ['--phi', 'max'], 
         await page.keyboard.press('l');
         await page.waitForTimeout(500);
         assert.ok((await coverage(page)) > 2 * small, 'spheres are small where lines are shown');
+        const bySpecies = await pixelsOf(page);
+        await page.selectOption('#color-by', 'contacts');
+        await page.waitForTimeout(500);
+        assert.ok(!bySpecies.equals(await pixelsOf(page)), 'spheres have other colors');
+        const [least, , most] = await page.locator('#legend-numbers span').allTextContents();
+        assert.equal(Number(least), 0);
+        assert.ok(Number(most) >= (isFlat ? 4 : 6), most);
       } else {
         assert.equal(forces, 0);
       }
+      assert.deepEqual(page.errors, []);
+      await page.context().close();
+    });
+  });
+
+// A gas at one moment: its spheres move, but no time passes.
+const kGas = `
+[box]
+size = [9.0, 9.0, 9.0]
+boundary = ["wall", "wall", "wall"]
+
+[[spheres]]
+count = 50
+radius = 0.5
+placement = "random"
+temperature = 1.0
+`;
+
+for (const [until, hasTime] of [
+  [0, false],
+  [0.5, true],
+])
+  test(`the page of a gas until time ${until}`, async () => {
+    await withFolder(async (folder) => {
+      const file = join(folder, 'gas.html');
+      await run('replay', await writeScenario(folder, kGas), '--until', String(until), '--out', file);
+      const page = await browser.open(pathToFileURL(file).href, { width: 1200, height: 800 });
+      assert.deepEqual(await visible(page, kOfTime), hasTime ? kOfTime : []);
+      assert.deepEqual(await visible(page, kOfMotion), kOfMotion);
+      const ofTime = hasTime ? ['Collisions', 'Last contact'] : [];
+      assert.deepEqual(await colorings(page), ['Speed', 'Size', 'Species', ...ofTime]);
+      assert.equal((await keys(page)).includes('Space'), hasTime);
+      await page.keyboard.press(' ');
+      assert.equal((await page.evaluate(() => window.hardball.state())).isPlaying, hasTime);
       assert.deepEqual(page.errors, []);
       await page.context().close();
     });

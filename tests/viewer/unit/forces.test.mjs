@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { linesOf } from '../../../apps/viewer/page/src/motion/forces.js';
+import { countContacts, linesOf } from '../../../apps/viewer/page/src/motion/forces.js';
 
 const kCenters = [
   [1, 5, 5],
@@ -32,4 +32,13 @@ test('stronger forces have thicker lines, and unknown ones are thin', () => {
   assert.equal(widths[0], 2 * widths[1]);
   assert.ok(widths[1] > widths[2] && widths[2] > 0);
   assert.equal(widths[3], widths[2]);
+});
+
+test('contacts count for both spheres, and those with walls for one', () => {
+  const forces = [
+    [0, 1, -2, 0, 0, 1],
+    [1, 2, 0, 1, 0, null],
+    [2, -3, 0, -1, 0, 2],
+  ];
+  assert.deepEqual([...countContacts(forces, 4)], [1, 2, 2, 0]);
 });

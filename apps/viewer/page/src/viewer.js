@@ -5,6 +5,7 @@ import { knownUntil, nextContact, recentPaths } from './motion/contacts_of.js';
 import { typicalScales } from './motion/default_speed.js';
 import { Box } from './motion/box.js';
 import { Domains, nearestBlock } from './motion/domains.js';
+import { countContacts } from './motion/forces.js';
 import { readCenter, readVelocity } from './motion/path.js';
 import { Player } from './motion/player.js';
 import { partnerName, readSurfaces } from './motion/surfaces.js';
@@ -45,7 +46,7 @@ const kFirstDirection = [0.62, 0.42, 1]; // of the camera: to the right, upward,
 const kPollSeconds = 0.7;
 const kRetrySeconds = 2;
 
-const kUnits = { speed: 'L T⁻¹', size: 'L', spin: 'T⁻¹', collisions: '', 'last contact': 'T' }; // of colorings
+const kUnits = { speed: 'L T⁻¹', size: 'L', spin: 'T⁻¹', collisions: '', contacts: '', 'last contact': 'T' }; // of colorings
 
 const element = (id) => document.getElementById(id);
 
@@ -78,6 +79,10 @@ export class Viewer {
     this.spheresAtStart = this.bodies.count;
     /** Whether spheres may spin, merge, and pass through each other. */
     this.canTurn = header.bodies ?? header.version > 1;
+    /** Whether the recording is of one moment, as that of a packing is. */
+    this.isStill = header.until !== null && header.until <= header.begin && this.player.knownEnd <= header.begin;
+    /** Whether it is, and no sphere moves at that moment; known from the first frame on. */
+    this.isAtRest = false;
     /** The species that the recording names, or null. */
     this.species = readSpecies(header);
     this.kinds = this.species ?? findKinds(radii, masses);
@@ -87,7 +92,9 @@ export class Viewer {
     this.domains = new Domains();
 
     this.view = new View(element('canvas'), this.box, upwardOf(this.box.gravity));
-    this.spheres = new Spheres(this.bodies, this.kinds.of, this.box, this.canTurn);
+    /** How many others each sphere touches, where the recording says what touches; otherwise null. */
+    this.contacts = header.forces?.length > 0 ? countContacts(header.forces, header.spheres) : null;
+    this.spheres = new Spheres(this.bodies, this.kinds.of, this.box, this.canTurn, this.contacts);
     this.flashes = new EventFlashes(this.bodies.radii, this.box, this.surfaces);
     this.trail = new Trail(this.box);
     this.cellLayer = new CellLayer(this.bodies.radii, this.box);
@@ -118,7 +125,6 @@ export class Viewer {
     this.last = { frame: 0, panels: -Infinity, plots: -Infinity, time: NaN };
     this.listen();
     this.style();
-    this.setColorBy(this.firstColoring());
     showSurfaceLegend(this.surfaces, this.surroundings.layer.colors);
     this.legend.showKinematic(masses.filter((mass) => mass === Infinity).length);
     showForceLegend(this.hasForces);
@@ -126,6 +132,8 @@ export class Viewer {
     element('spin-label').hidden = !this.canTurn;
     element('walls-label').hidden = this.surfaces.length === 0;
     element('images-label').hidden = !this.surroundings.images.isPeriodic;
+    document.body.classList.toggle('is-still', this.isStill);
+    element('plots').hidden = this.isStill && this.plots.histogram === null;
     element('surroundings').hidden = this.surfaces.length === 0 && !this.surroundings.images.isPeriodic;
     this.showEvents();
     this.noteDomains();
@@ -304,6 +312,8 @@ export class Viewer {
   // The first frame: what depends on typical scales.
   begin() {
     this.scales = typicalScales(this.playback.chunk, this.source.radii, this.source.header);
+    this.isAtRest = this.isStill && this.bodies.radii.every((_, id) => this.velocity(id).every((part) => part === 0));
+    document.body.classList.toggle('is-at-rest', this.isAtRest);
     this.transport.center(this.scales.playing);
     this.player.speed = this.scales.playing;
     this.plots.update(this.playback);
@@ -312,7 +322,8 @@ export class Viewer {
     this.view.fit(this.surroundings.measure(this.playback), kFirstDirection);
     element('show-events').checked = this.source.header.spheres <= kFewEnoughForFlashes;
     this.showCellEdge();
-    this.updateColors();
+    element('color-by').replaceChildren(...kColorBy.filter((name) => this.offersColoring(name)).map(optionOf));
+    this.setColorBy(this.firstColoring());
     this.plots.resize();
   }
 
@@ -395,6 +406,7 @@ export class Viewer {
     if (this.colorBy === 'spin') range.set(0, this.typicalSpin());
     if (this.colorBy === 'collisions')
       range.set(0, Math.max(4, roundUp(quantile(this.playback.collisions, 0.99))));
+    if (this.colorBy === 'contacts') range.set(0, Math.max(...this.contacts));
     if (this.colorBy === 'last contact')
       range.set(roundUp(this.scales.rate > 0 ? 1 / this.scales.rate : this.player.speed), 0);
     this.legend.showRange(range.x, range.y, kUnits[this.colorBy], isLogarithmic);
@@ -449,11 +461,21 @@ export class Viewer {
     return roundUp(quantile(rates.filter((_, id) => bodies.exists(id)), 0.94));
   }
 
+  // Whether spheres of this recording can differ in what the coloring shows. Domains are offered once there are
+  // several.
+  offersColoring(name) {
+    if (name === 'speed') return !this.isAtRest;
+    if (name === 'collisions' || name === 'last contact') return !this.isStill;
+    if (name === 'spin') return this.canTurn;
+    if (name === 'contacts') return this.contacts !== null;
+    return name !== 'domain';
+  }
+
   // The coloring that shows most of what differs between spheres.
   firstColoring() {
     const { length } = this.kinds.list;
     if (length > 1 && length <= kSpeciesColors.length) return 'species';
-    return this.sizes.largest > 2 * this.sizes.smallest ? 'size' : 'speed';
+    return this.isAtRest || this.sizes.largest > 2 * this.sizes.smallest ? 'size' : 'speed';
   }
 
   // Updates numbers and plots, as often as people can read them.
@@ -583,11 +605,6 @@ export class Viewer {
 
   listen() {
     const canvas = element('canvas');
-    element('color-by').replaceChildren(
-      ...kColorBy
-        .filter((name) => name !== 'domain' && (name !== 'spin' || this.canTurn))
-        .map(optionOf),
-    );
     element('color-by').addEventListener('change', (event) => this.setColorBy(event.target.value));
     element('fit').addEventListener('click', () => this.fit());
     element('screenshot').addEventListener('click', () => this.savePicture());

@@ -7,6 +7,16 @@ const kThinnest = 0.05; // force whose line is the thinnest, over the mean
 /** Forces that have the last color, over the mean force. */
 export const kStrongForce = 3;
 
+/** How many contacts each of `spheres` spheres has, with others and with walls. */
+export function countContacts(forces, spheres) {
+  const counts = new Uint32Array(spheres);
+  for (const [first, second] of forces) {
+    ++counts[first];
+    if (second >= 0) ++counts[second];
+  }
+  return counts;
+}
+
 /** The lines from centers to contacts: of every force two, or one to a wall. */
 export function linesOf(forces, centerOf, radiusOf) {
   const lines = [];

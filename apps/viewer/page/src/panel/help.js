@@ -8,8 +8,6 @@ export class Help {
   constructor(viewer) {
     this.viewer = viewer;
     this.dialog = document.getElementById('help');
-    const keys = document.getElementById('help-keys');
-    for (const { name, bindings } of keyGroups(viewer)) keys.append(section(name, bindings));
     document.getElementById('help-button').addEventListener('click', () => this.toggle());
     document.getElementById('help-close').addEventListener('click', () => this.dialog.close());
     // A click beside it is one on its backdrop.
@@ -22,6 +20,8 @@ export class Help {
 
   toggle() {
     if (this.isOpen) return this.dialog.close();
+    const sections = keyGroups(this.viewer).map(({ name, bindings }) => section(name, bindings));
+    document.getElementById('help-keys').replaceChildren(...sections);
     document.getElementById('help-scales').textContent = this.scales();
     this.dialog.showModal();
   }

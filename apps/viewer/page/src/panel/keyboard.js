@@ -7,12 +7,12 @@ const kZoom = 1.12;
 const kFaster = 1.25;
 
 /**
- * All keys, by what they act on: a list of {name, bindings}. Of a binding, `shown` names the
+ * The keys whose controls are on the page, by what they act on: a list of {name, bindings}. Of a binding, `shown` names the
  * keys, `does` says what they do, and `run` has a function for each.
  */
 export function keyGroups(viewer) {
   const { view } = viewer;
-  const click = (id) => () => document.getElementById(id).click();
+  const isShown = (id) => document.getElementById(id).getClientRects().length > 0;
   const isSpatial = !viewer.box.isFlat;
   const pan = (aside, upward) => view.pan(kPan * aside, kPan * upward);
   const arrow = (aside, upward) => (event) =>
@@ -20,9 +20,23 @@ export function keyGroups(viewer) {
   const move = { ArrowLeft: arrow(-1, 0), ArrowRight: arrow(1, 0), ArrowUp: arrow(0, 1), ArrowDown: arrow(0, -1) };
   const alongAxes = Object.fromEntries(['x', 'y', 'z'].map((key, axis) => [key, () => view.lookAlongAxis(axis)]));
   const binding = (shown, does, run) => ({ shown, does, run });
-  return [
+  // One entry for the boxes that keys check or uncheck, each given as [key, what it shows, id].
+  const boxes = (...all) => {
+    const offered = all.filter(([, , id]) => isShown(id));
+    if (offered.length === 0) return [];
+    const click = (id) => () => document.getElementById(id).click();
+    return [
+      binding(
+        offered.map(([key]) => key).join(' '),
+        offered.map(([, does]) => does).join(', '),
+        Object.fromEntries(offered.map(([key, , id]) => [key.toLowerCase(), click(id)])),
+      ),
+    ];
+  };
+  const groups = [
     {
       name: 'Playback',
+      isOffered: isShown('transport'),
       bindings: [
         binding('Space', 'play, pause', { ' ': () => viewer.togglePlay() }),
         binding('N P', 'next, previous contact; with Shift, of the followed sphere', {
@@ -57,23 +71,24 @@ export function keyGroups(viewer) {
     {
       name: 'Shown',
       bindings: [
-        binding('C E', 'cells, contacts', { c: click('show-cells'), e: click('show-events') }),
-        binding('W I', 'walls, periodic images', { w: click('show-walls'), i: click('show-images') }),
-        binding('L B', 'lines of forces, in packings; bonds', { l: click('show-forces'), b: click('show-bonds') }),
-        binding('S', 'marks that turn with the spheres', { s: click('show-spin') }),
+        ...boxes(['C', 'cells', 'show-cells'], ['E', 'contacts', 'show-events']),
+        ...boxes(['W', 'walls', 'show-walls'], ['I', 'periodic images', 'show-images']),
+        ...boxes(['L', 'lines of forces', 'show-forces'], ['B', 'bonds', 'show-bonds']),
+        ...boxes(['S', 'marks that turn with the spheres', 'show-spin']),
         binding('Esc', 'stop following', { Escape: () => viewer.follow(null) }),
         binding('?', 'these keys', { '?': () => viewer.help.toggle() }),
       ],
     },
   ];
+  return groups.filter(({ isOffered = true }) => isOffered);
 }
 
 /** Keyboard shortcuts. Fields and buttons keep the keys that they use themselves. */
 export function listenToKeys(viewer) {
-  const bindings = keyGroups(viewer).flatMap((group) => group.bindings);
-  const actions = Object.assign({}, ...bindings.map(({ run }) => run));
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const bindings = keyGroups(viewer).flatMap((group) => group.bindings);
+    const actions = Object.assign({}, ...bindings.map(({ run }) => run));
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (!actions[key] || isUsed(event)) return;
     // Esc closes the help, as the browser sees to.

@@ -22,7 +22,7 @@ export class SpherePanel {
   }
 
   update() {
-    const { playback, followed, source, box, next, surfaces, species, canTurn } = this.viewer;
+    const { playback, followed, source, box, next, surfaces, species, canTurn, contacts } = this.viewer;
     this.card.hidden = followed === null;
     if (document.activeElement !== this.number) this.number.value = followed ?? '';
     if (followed === null) return;
@@ -43,6 +43,8 @@ export class SpherePanel {
     const { domains } = this.viewer;
     document.getElementById('sphere-domain-row').hidden = !domains.areSeveral;
     if (domains.areSeveral) text('sphere-domain', String(this.viewer.domainOf(followed)));
+    document.getElementById('sphere-contacts-row').hidden = contacts === null;
+    if (contacts) text('sphere-contacts', showCount(contacts[followed]));
     document.getElementById('sphere-spin-row').hidden = !canTurn;
     const spin = bodies.spin(followed);
     if (canTurn) text('sphere-spin', axes === 2 ? show(spin[2], 4) : vector(spin));

@@ -11,16 +11,20 @@ const kBlock = 256; // spheres sent to the graphics card together
 const kFar = 1e30; // instead of infinity, which shaders need not know [L]
 
 /** What spheres can be colored by, in the order in which the shader knows them. */
-export const kColorBy = ['speed', 'size', 'species', 'collisions', 'last contact', 'spin', 'domain'];
+export const kColorBy = ['speed', 'size', 'species', 'collisions', 'last contact', 'spin', 'domain', 'contacts'];
 
 /**
  * All spheres, drawn by the graphics card. It gets each path once, relative to a reference time, and moves the
  * sphere by itself; only paths changed by a contact are sent again.
  */
 export class Spheres {
-  /** `bodies`: those of the playback; `species`: for each sphere its number; `canTurn`: whether spheres may spin. */
-  constructor(bodies, species, box, canTurn) {
+  /**
+   * `bodies`: those of the playback; `species`: for each sphere its number; `canTurn`: whether spheres may spin;
+   * `contacts`: how many each sphere at rest has, or null.
+   */
+  constructor(bodies, species, box, canTurn, contacts) {
     this.bodies = bodies;
+    this.contacts = contacts;
     this.count = bodies.radii.length;
     this.paths = new Float32Array(kNumbers * this.count);
     this.kinds = new Float32Array(kKindNumbers * this.count);
@@ -146,7 +150,7 @@ export class Spheres {
     this.paths[to + 4] -= this.box.layersAbove(this.center[1]) * this.box.imageSpeed;
     this.paths.set(this.box.foldPoint(this.center, this.reference), to);
     this.paths[to + 3] = -elapsed;
-    this.paths[to + 7] = collisions[id];
+    this.paths[to + 7] = (this.contacts ?? collisions)[id];
     if (this.turns) this.storeBody(id, elapsed);
   }
 
