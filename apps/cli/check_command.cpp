@@ -15,6 +15,7 @@
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
+#include "apps/cli/trial.hpp"
 #include "apps/cli/warnings.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/wall_forces.hpp"
@@ -155,8 +156,8 @@ Kinds kinds_of(const Scenario& scenario, const Outlook& outlook) {
   return kinds;
 }
 
-// The cost of a run by theory [s].
-double expected_seconds(const Outlook& outlook, double until, double length) {
+// The cost of a run of a gas whose spheres were not placed [s].
+double seconds_by_theory(const Outlook& outlook, double until, double length) {
   const GasStatistics& statistics = outlook.statistics;
   const UnitCosts& costs = outlook.options.unit_costs;
   constexpr double kNanosecond = 1e-9;
@@ -241,8 +242,12 @@ ExitCode check(const Options& options) {
     add("  cells entered", readable(spheres * until * counts.enter));
     add("  pair predictions", readable(spheres * until * counts.predictions()));
   }
-  if (length > 0 && statistics.mean_speed > 0) {
-    add("  time on one core", "about " + to_one_digit(expected_seconds(outlook, until, length)) + " s");
+  if (outlook.is_sample) {
+    add("  time on one core", "about " + to_one_digit(seconds_by_theory(outlook, until, length)) + " s");
+  } else {
+    const Trial trial = try_out(scenario, outlook);
+    add("  time on one core", "about " + to_one_digit(expected_seconds(scenario, outlook, trial)) + " s");
+    if (!trial.failure.empty()) add("note", "a trial of this run failed: " + trial.failure);
   }
   for (const std::string& warning : warnings_of(scenario, statistics)) add("note", warning);
   if (scenario.has_steps())

@@ -16,6 +16,7 @@
 #include "apps/cli/progress.hpp"
 #include "apps/cli/rest_watch.hpp"
 #include "apps/cli/run_report.hpp"
+#include "apps/cli/seconds_since.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/archive/archive.hpp"
@@ -29,10 +30,6 @@ namespace hardball::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 // When the next snapshot is due [T]; infinity if that depends on contacts, or none is.
 double next_snapshot_time(const StartedRun& run) {

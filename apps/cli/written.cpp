@@ -16,8 +16,8 @@ std::string size_text(std::uintmax_t bytes) {
   constexpr double kStep = 1000;
   constexpr double kRoundedUp = 999.5;  // from here on it has four digits before the point
   constexpr double kFewDigits = 9.95;   // below, there is a digit after the point
-  if (bytes < kStep) return count_of(bytes, "byte");
   auto size = static_cast<double>(bytes);
+  if (size < kStep) return count_of(bytes, "byte");
   std::string_view unit;
   for (const std::string_view each : {"kB", "MB", "GB", "TB"}) {
     unit = each;

@@ -65,7 +65,6 @@ Bounce::Bounce(const Restitution& restitution)
 
 double Bounce::contact_duration(const Contact& contact) const {
   if (rules_.settle_under == 0) return rules_.contact_duration;
-  constexpr double kPartOfFall = 0.01;
   const double radius =
       contact.is_collision() ? std::min(contact.first_radius, contact.second_radius) : contact.first_radius;
   return std::max(rules_.contact_duration, kPartOfFall * std::sqrt(2 * radius / rules_.settle_under));

@@ -52,6 +52,7 @@ NearestNeighbor::NearestNeighbor(const Scene& scene, std::size_t bins)
                    ? std::sqrt(square + kExpected * volume_each / std::numbers::pi)
                    : std::cbrt(square * diameter_ + kExpected * volume_each * 3 / (4 * std::numbers::pi))) -
               diameter_;
+    widest_ = std::min(widest_, shortest_period(world.box()));
   }
   sample_cost_ = NeighborQuery::effort(world, diameter_ + widest_).cost;
 }

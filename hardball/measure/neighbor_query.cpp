@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hardball {
 namespace {
@@ -17,6 +18,14 @@ double edge_of(const Box& box, double volume) {
 }
 
 }  // namespace
+
+double shortest_period(const Box& box) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < box.dimensions(); ++axis) {
+    if (box.is_periodic(axis)) shortest = std::min(shortest, box.size()[axis]);
+  }
+  return shortest;
+}
 
 NeighborQuery::Effort NeighborQuery::effort(const World& world, double range) {
   constexpr double kEachSphere = 100;

@@ -11,6 +11,10 @@
 
 namespace hardball {
 
+/// The size of the box along the shortest periodic axis [L]: a sphere has an image of itself that near.
+/// Infinite if no axis is periodic.
+double shortest_period(const Box& box);
+
 /// All spheres at one time, numbered in the order of ids, and their neighbors: the input of the measures of
 /// structure. Nothing depends on where spheres are stored.
 class NeighborQuery {

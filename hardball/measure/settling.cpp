@@ -107,7 +107,9 @@ Settling::Settling(const Scene& scene, bool is_placed)
     return;
   }
   const double spacing = lattice_spacing(scene.statistics());
-  reach_ = kReach * spacing;
+  // In a box so thin that a sphere is surrounded by its own images there is no crystal to be seen.
+  constexpr double kPeriods = 4;
+  reach_ = std::min(kReach * spacing, kPeriods * shortest_period(world.box()));
   wave_number_ = 2 * std::numbers::pi / spacing;
   const Order order = order_in(scene, reach_);
   is_crystal_ = order.value > std::max(least_order, order.by_chance);

@@ -134,6 +134,7 @@ TEST_F(Heap, GoesOnWithoutTheRuleIfThatIsWanted) {
   EXPECT_NE(outcome.messages.find("inelastic collapse"), std::string::npos);
   const Outcome check = run_program(folder_, {"check", "heap.toml"});
   EXPECT_NE(check.output.find("by inelastic collapse, unless settle"), std::string::npos) << check.output;
+  EXPECT_NE(check.output.find("a trial of this run failed: inelastic collapse"), std::string::npos);
 }
 
 TEST_F(Heap, RuleIsSaidWhereItHolds) {

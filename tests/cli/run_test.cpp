@@ -478,7 +478,7 @@ TEST_F(Run, StartsAtOnceInABoxOfAnyShape) {
         const Outcome checked = run_program(folder_, {"check", "gas.toml"});
         EXPECT_EQ(checked.exit_code, 0) << checked.messages;
         EXPECT_EQ(checked.output.find("nan"), std::string::npos) << checked.output;
-        run();
+        run({"--out", "out"});
       }
     }
   }
