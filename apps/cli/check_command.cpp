@@ -185,6 +185,7 @@ ExitCode check(const Options& options) {
   catch_signals();
   const Scenario scenario = read_scenario(options);
   const Outlook outlook = look_ahead(options, scenario);
+  write_notes(outlook.notes, options.quiet);
   const Simulation& simulation = outlook.simulation;
   const GasStatistics& statistics = outlook.statistics;
   const auto spheres = static_cast<double>(statistics.spheres);
@@ -244,6 +245,7 @@ ExitCode check(const Options& options) {
   if (length > 0 && statistics.mean_speed > 0) {
     add("  time on one core", "about " + to_one_digit(expected_seconds(outlook, until, length)) + " s");
   }
+  for (const std::string& note : outlook.notes) add("note", note);
   for (const std::string& warning : warnings_of(scenario, statistics)) add("note", warning);
   if (scenario.has_steps())
     add("note", "the numbers expected are those of hard spheres: steps of potentials add events");

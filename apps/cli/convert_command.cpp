@@ -46,7 +46,8 @@ ExitCode convert(const Options& options) {
   refuse_to_overwrite(out, options);
   const Frames frames = chosen_frames(options, reader->frames(), format);
   Snapshot snapshot = reader->read(frames.begin);
-  if (!snapshot.has_velocities) write_message(in.string() + " has no velocities; those written are zero");
+  if (!snapshot.has_velocities)
+    write_notes({in.string() + " has no velocities; those written are zero"}, options.quiet);
   Trajectory trajectory(out);
   try {
     for (std::size_t frame = frames.begin;;) {
@@ -59,6 +60,7 @@ ExitCode convert(const Options& options) {
     Trajectory::remove(out);
     throw;
   }
+  if (options.quiet) return ExitCode::done;
   const std::size_t count = frames.end - frames.begin;
   write_output(out.string() + ": " + to_text(count) + (count == 1 ? " frame" : " frames") + ", " +
                std::string(name_of(format)) + "\n");

@@ -112,8 +112,9 @@ std::vector<Vec3> place_by_growth(const World& empty, const Region& region, std:
       "'hardball pack'";
   if (!(fraction > 0 && fraction <= kMostOfJamming * jammed)) {
     const bool are_equal = std::ranges::min(radii) == std::ranges::max(radii);
-    const std::string lattice =
-        are_equal ? std::string("use placement = \"") + (dimensions == 2 ? "hexagonal" : "fcc") + "\", " : "";
+    const char* const lattice = !are_equal        ? ""
+                                : dimensions == 2 ? "use placement = \"hexagonal\", which reaches 0.9, "
+                                                  : "use placement = \"fcc\", which reaches 0.74, ";
     throw Error("a packing fraction of " + rounded(fraction) +
                     " is too high for placement = \"random\": spheres of these sizes jam at about " +
                     rounded(jammed),
