@@ -72,10 +72,13 @@ def _binding_error(function: Callable[..., Any], arguments: Any, options: Any) -
 def _what_is_wrong(function: Callable[..., Any], title: str, arguments: Any, options: Any) -> str:
     signature = _signature_of(function) or _signature_in_python(function)
     positional = (signature or "").partition("*")[0]
-    numbers = [argument for argument in arguments if isinstance(argument, Real)]
-    if "object" in positional and len(numbers) > max(1, positional.count(":")) - (len(arguments) - len(numbers)):
+    has_self = f"{function.__name__}(self: " in (function.__doc__ or "")
+    given = arguments[1:] if has_self else arguments
+    numbers = [argument for argument in given if isinstance(argument, Real)]
+    if "object" in positional and len(given) > positional.count(":") and len(numbers) > 1:
         listed = f"[{', '.join(str(number) for number in numbers)}]"
-        example = f", as in hardball.{title}({listed})" if len(numbers) == len(arguments) else f": {listed}"
+        call = function.__name__ if has_self and "." in title else f"hardball.{title}"
+        example = f", as in {call}({listed})" if len(numbers) == len(given) else f": {listed}"
         return f"there are {len(numbers)} numbers; give them as one list{example}"
     problem = _binding_error(function, arguments, options) or "these arguments do not fit"
     return f"{problem}; it takes {signature or 'others'}"

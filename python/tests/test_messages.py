@@ -46,6 +46,7 @@ class Arguments(unittest.TestCase):
             (lambda: hardball.Box(["wall"] * 3, 4, 5, 6), "one list: [4, 5, 6]"),
         ):
             self.refused(call, "give them as one list", remedy)
+        self.refused(lambda: gas().clearance(1, 2, 3), "give them as one list, as in clearance([1, 2, 3])")
         self.refused(lambda: hardball.Andersen(1, 1, 1), "Andersen: these arguments do not fit; it takes (temperature")
 
     def test_that_are_missing_or_no_paths(self):
@@ -60,6 +61,16 @@ class Arguments(unittest.TestCase):
             lambda: hardball.View(b"").save(3),
         ):
             self.refused(call, "it is 3; give the path of a file")
+
+    def test_of_measurements(self):
+        simulation = gas()
+        simulation.measure("pressure")
+        simulation.run(collisions=1000)
+        measurement = simulation.results()["pressure"]
+        self.assertIn("compressibility", measurement)
+        self.assertNotIn("compresibility", measurement)
+        with self.assertRaisesRegex(KeyError, "no quantity or column compresibility; choose among .*compressibility"):
+            measurement["compresibility"]
 
     def test_errors_inside_are_not_taken_for_those_of_the_call(self):
         def response(contact):
