@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
+#include "hardball/errors/error.hpp"
 #include "hardball/scenario/scenario.hpp"
 
 namespace hardball::scenarios_test {
