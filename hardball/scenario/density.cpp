@@ -22,6 +22,23 @@ double disc_area(std::span<const SphereGroup> groups) {
   return std::numbers::pi * squares;
 }
 
+SphereGroup one_of(SphereGroup group) {
+  group.count = 1;
+  return group;
+}
+
+// Error: so many radii are to be drawn that reading a scenario would take long.
+void check_draws(const Scenario& scenario) {
+  constexpr std::size_t kMost = 10'000'000;
+  for (const SphereGroup& group : scenario.spheres) {
+    if (!group.distribution || group.count <= kMost) continue;
+    throw Error(
+        "the box follows from the radii of " + to_text(group.count) + " spheres, which are distributed",
+        group.where,
+        "give the box a size instead of a packing_fraction, or at most " + to_text(kMost) + " spheres");
+  }
+}
+
 }  // namespace
 
 std::vector<SphereGroup> groups_with_radii(const Scenario& scenario, Random& random) {
@@ -55,8 +72,7 @@ std::size_t count_for(double packing_fraction, const SphereGroup& group,
     }
     volume *= *box[axis].size;
   }
-  SphereGroup one = group;
-  one.count = 1;
+  const SphereGroup one = one_of(group);
   const double count = std::floor(packing_fraction * volume / sphere_volume({&one, 1}) + 0.5);
   constexpr double kMost = std::numeric_limits<SphereId>::max() - 1.0;
   if (count > kMost) {
@@ -69,8 +85,18 @@ std::size_t count_for(double packing_fraction, const SphereGroup& group,
 
 void fit_box(Scenario& scenario) {
   if (!scenario.packing_fraction) return;
+  check_draws(scenario);
   Random random(scenario.seed);
-  const double volume = sphere_volume(groups_with_radii(scenario, random)) / *scenario.packing_fraction;
+  double spheres = 0;
+  for (const SphereGroup& group : groups_with_radii(scenario, random)) {
+    if (group.radii.empty()) {
+      const SphereGroup one = one_of(group);
+      spheres += static_cast<double>(group.count) * sphere_volume({&one, 1});
+    } else {
+      spheres += sphere_volume({&group, 1});
+    }
+  }
+  const double volume = spheres / *scenario.packing_fraction;
   const double edge = scenario.dimensions() == 2 ? std::sqrt(volume) : cube_root(volume);
   for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) scenario.box[axis].size = edge;
 }

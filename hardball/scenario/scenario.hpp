@@ -206,7 +206,8 @@ HARDBALL_EXPORT Scenario parse_scenario(std::string_view text, const std::string
 
 /// Gives the box the edge at which the spheres fill the packing fraction of the scenario; changes nothing
 /// where there is none. load_scenario has done this: call it again after changing the groups, or the seed
-/// where radii are distributed. Cost: O(n) where radii are distributed. Error: see draw_radii.
+/// where radii are distributed. Cost: O(n) where radii are distributed. Error: see draw_radii; more than ten
+/// million radii of a group would have to be drawn.
 HARDBALL_EXPORT void fit_box(Scenario& scenario);
 
 }  // namespace hardball

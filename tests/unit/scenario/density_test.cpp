@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "hardball/errors/error.hpp"
@@ -62,6 +63,19 @@ TEST(PackingFraction, GivesTheNumberOfSpheres) {
   EXPECT_EQ(scenario.spheres[1].count, 3U);
   const Scenario few = parse_scenario(box + kSpheres + "packing_fraction = 1e-9\nradius = 0.5\n", "gas.toml");
   EXPECT_EQ(few.spheres[0].count, 1U);
+}
+
+// Files may ask for any number of spheres, and are read at once.
+TEST(PackingFraction, IsQuickToReadForManySpheres) {
+  for (const std::string& box : {kPeriodic, kDiscs}) {
+    const Scenario scenario = parse_scenario(
+        box + "packing_fraction = 0.5\n" + kSpheres + "count = 4000000000\nradius = 0.5\n", "gas.toml");
+    const double volume = box == kDiscs ? 2e9 * std::numbers::pi : 4e9 / 3 * std::numbers::pi;
+    EXPECT_NEAR(std::pow(*scenario.box[0].size, box == kDiscs ? 2 : 3) / volume, 1, 1e-14);
+  }
+  expect_refusal(kPeriodic + "packing_fraction = 0.5\n" + kSpheres +
+                     "count = 4000000000\nradius = { distribution = \"uniform\", min = 0.2, max = 0.8 }\n",
+                 "the radii of 4000000000 spheres", "a size");
 }
 
 TEST(PackingFraction, RefusesContradictions) {
