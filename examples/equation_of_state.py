@@ -14,10 +14,9 @@ COUNT = 500
 
 
 def compressibility(packing_fraction):
-    edge = (COUNT * np.pi / 6 / packing_fraction) ** (1 / 3)
     simulation = hardball.Simulation.from_scenario(
         {
-            "box": {"size": [edge] * 3, "boundary": ["periodic"] * 3},
+            "box": {"packing_fraction": packing_fraction, "boundary": ["periodic"] * 3},
             "spheres": [{"count": COUNT, "radius": 0.5, "placement": "fcc", "temperature": 1.0}],
             "run": {"seed": 1},
         }

@@ -186,6 +186,7 @@ ExitCode check(const Options& options) {
   catch_signals();
   const Scenario scenario = read_scenario(options);
   const Outlook outlook = look_ahead(options, scenario);
+  write_notes(outlook.notes, options.quiet);
   const Simulation& simulation = outlook.simulation;
   const GasStatistics& statistics = outlook.statistics;
   const auto spheres = static_cast<double>(statistics.spheres);
@@ -249,6 +250,7 @@ ExitCode check(const Options& options) {
     add("  time on one core", "about " + to_one_digit(expected_seconds(scenario, outlook, trial)) + " s");
     if (!trial.failure.empty()) add("note", "a trial of this run failed: " + trial.failure);
   }
+  for (const std::string& note : outlook.notes) add("note", note);
   for (const std::string& warning : warnings_of(scenario, statistics)) add("note", warning);
   if (scenario.has_steps())
     add("note", "the numbers expected are those of hard spheres: steps of potentials add events");

@@ -47,7 +47,8 @@ ExitCode convert(const Options& options) {
   refuse_to_overwrite(out, options);
   const Frames frames = chosen_frames(options, reader->frames(), format);
   Snapshot snapshot = reader->read(frames.begin);
-  if (!snapshot.has_velocities) write_message(in.string() + " has no velocities; those written are zero");
+  if (!snapshot.has_velocities)
+    write_notes({in.string() + " has no velocities; those written are zero"}, options.quiet);
   Trajectory trajectory(out);
   try {
     for (std::size_t frame = frames.begin;;) {
@@ -60,7 +61,7 @@ ExitCode convert(const Options& options) {
     Trajectory::remove(out);
     throw;
   }
-  write_output(written_line(out, count_of(frames.end - frames.begin, "frame")));
+  if (!options.quiet) write_output(written_line(out, count_of(frames.end - frames.begin, "frame")));
   return ExitCode::done;
 }
 

@@ -133,10 +133,13 @@ Scenario shared_scenario(Processes& processes, const Options& options) {
 // A run between its start, or a checkpoint, and its end. Files are in the first process alone.
 class DistributedRun {
  public:
-  DistributedRun(const Options& options, Scenario scenario, DistributedSimulation simulation)
+  // `notes`: of the start, see Start.
+  DistributedRun(const Options& options, Scenario scenario, DistributedSimulation simulation,
+                 std::vector<std::string> notes)
       : options_(options),
         scenario_(std::move(scenario)),
         simulation_(std::move(simulation)),
+        notes_(std::move(notes)),
         processes_(simulation_.processes()),
         rest_(scenario_, simulation_.totals(), simulation_.size()) {
     std::ranges::sort(scenario_.checkpoint_at);
@@ -297,10 +300,10 @@ class DistributedRun {
     // Files first: what they lack when the machine stops, no checkpoint refers to.
     in_first(processes_, [&] {
       const FilesState files = files_->save();
-      sections = {
-          {"run", archived(RunState{options_, scenario_.text, scenario_.name, next_snapshot_, seconds_})},
-          {"files", archived(files)},
-          {"measures", archived(measures_)}};
+      sections = {{"run", archived(RunState{options_, scenario_.text, scenario_.name, next_snapshot_,
+                                            seconds_, notes_})},
+                  {"files", archived(files)},
+                  {"measures", archived(measures_)}};
     });
     write_distributed_checkpoint(simulation_, path, sections);
     last_checkpoint_ = Clock::now();
@@ -381,7 +384,7 @@ class DistributedRun {
     const std::optional<Simulation> whole =
         is_measured() && scenario_.report ? whole_simulation() : std::nullopt;
     in_first(processes_, [&] {
-      const Summary summary(scenario_, options_.overrides, state, seconds_);
+      const Summary summary(scenario_, options_.overrides, state, seconds_, notes_);
       const std::string json = summary.json();
       std::vector<Measurement> measurements;
       if (is_measured()) {
@@ -420,6 +423,7 @@ class DistributedRun {
   Options options_;
   Scenario scenario_;
   DistributedSimulation simulation_;
+  std::vector<std::string> notes_;
   Processes& processes_;
   RestWatch rest_;
   std::optional<std::filesystem::path> directory_;
@@ -453,16 +457,16 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
   {
     SetUpProgress progress(processes.is_first() && !options.quiet);
     Travelers brought;
+    std::vector<std::string> notes;
     World empty = make_part(
         scenario, [&](SphereId id) { return id % processes.size() == processes.rank(); },
         [&](const SphereState& state) { brought.push_back({state}); }, progress.part(0, 1),
-        [&](const std::string& note) {
-          if (processes.is_first()) write_message(note);
-        });
+        [&](const std::string& note) { notes.push_back(note); });
+    if (processes.is_first()) write_notes(notes, options.quiet);
     const EngineOptions engine_options = shared_engine_options(options, scenario, empty);
     DistributedSimulation simulation(processes, std::move(empty), std::move(brought), engine_options);
     if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
-    run.emplace(options, scenario, std::move(simulation));
+    run.emplace(options, scenario, std::move(simulation), std::move(notes));
   }
   std::optional<std::filesystem::path> directory = scenario.output_directory;
   if (options.out) directory = *options.out;
@@ -506,7 +510,7 @@ ExitCode resume_distributed(const Options& options, Processes& processes) {
     if (processes.is_first()) tell_of_whole_run(directory, time, options);
     return ExitCode::done;
   }
-  DistributedRun run(state.options, scenario, std::move(simulation));
+  DistributedRun run(state.options, scenario, std::move(simulation), std::move(state.notes));
   run.continue_files(directory, files, std::move(measures), state.next_snapshot);
   state.seconds.setup += seconds_since(begin);
   return run.carry_out(state.seconds);

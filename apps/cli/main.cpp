@@ -72,7 +72,10 @@ void add_engine_options(CLI::App& command, Options& options) {
 }
 
 void add_quiet_flag(CLI::App& command, Options& options) {
-  command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
+  command
+      .add_flag("--quiet", options.quiet,
+                "Print only the result and errors: no progress, no notes, no warnings")
+      ->disable_flag_override();
 }
 
 void add_output_flags(CLI::App& command, Options& options) {
@@ -158,6 +161,7 @@ CLI::App* add_showing_command(CLI::App& app, Options& options, const std::string
   CLI::App* command = add_command(app, options, name, description);
   command->get_option("SCENARIO")->description("Scenario file (TOML), or the directory of a recorded run");
   add_threads_option(*command, options);
+  add_quiet_flag(*command, options);
   return command;
 }
 #endif
@@ -165,10 +169,7 @@ CLI::App* add_showing_command(CLI::App& app, Options& options, const std::string
 // Error: something on the command line was not understood. `command` may be missing.
 void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
   const std::vector<std::string> leftovers = app.remaining(true);
-  if (leftovers.empty()) {
-    if (command) return;
-    throw Error("no command is given", "command line", "see hardball --help");
-  }
+  if (leftovers.empty()) return;
   const std::string word = leftovers.front().substr(0, leftovers.front().find('='));
   std::vector<std::string> names;
   if (command && !word.starts_with('-')) {
@@ -228,8 +229,10 @@ ExitCode parse_and_run(int argument_count, char** arguments, Processes* processe
   resume_command->allow_extras();
   CLI::App* verify_command =
       add_command(app, options, "verify", "Run a scenario with every engine and compare bit by bit");
+  add_quiet_flag(*verify_command, options);
   CLI::App* check_command = add_command(app, options, "check", "Validate a scenario and predict its cost");
   add_engine_options(*check_command, options);
+  add_quiet_flag(*check_command, options);
   // Ends the program, like --help, so that no scenario is needed.
   check_command
       ->add_flag_callback(
@@ -258,6 +261,7 @@ ExitCode parse_and_run(int argument_count, char** arguments, Processes* processe
       ->type_name("FILE");
   convert_command->add_option("--frame", options.frame, "Write only this frame, counted from 0")
       ->type_name("NUMBER");
+  add_quiet_flag(*convert_command, options);
   add_overwrite_flag(*convert_command, options, "Replace an existing file");
   convert_command->allow_extras();
   CLI::App* info_command = app.add_subcommand("info", "Describe files");
@@ -304,7 +308,7 @@ ExitCode parse_and_run(int argument_count, char** arguments, Processes* processe
                 "start it without mpirun");
   }
 #if !HARDBALL_MPI
-  if (chosen.empty() || *run_command || *resume_command) refuse_copies();
+  if (*run_command || *resume_command) refuse_copies();
 #endif
   if (*resume_command) return resume(options);
   if (*verify_command) return verify(options);
@@ -319,7 +323,9 @@ ExitCode parse_and_run(int argument_count, char** arguments, Processes* processe
 #endif
   if (*manual_command) return print_manual(app);
   if (*completion_command) return print_completion(options, app);
-  return run(options);
+  if (*run_command) return run(options);
+  write_output(app.help());
+  return ExitCode::done;
 }
 
 // How the program ends: its exit code and, if it has failed, the message.

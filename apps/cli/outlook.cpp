@@ -156,7 +156,7 @@ Outlook look_ahead(const Options& options, const Scenario& scenario) {
   if (sphere_count(scenario) <= kManySpheres || !std::ranges::all_of(scenario.spheres, can_be_sampled)) {
     Start start = set_up(options, scenario);
     const GasStatistics statistics = gas_statistics(start.simulation.world(), start.simulation.now());
-    return {start.options, std::move(start.simulation), statistics, false};
+    return {start.options, std::move(start.simulation), statistics, false, std::move(start.notes)};
   }
   const std::vector<SphereGroup> groups = sample(scenario);
   GasStatistics statistics = statistics_of_all(scenario, groups);

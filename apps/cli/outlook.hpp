@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "apps/cli/options.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
@@ -12,9 +15,10 @@ namespace hardball::cli {
 /// The start of a scenario, as far as it can be known in seconds.
 struct Outlook {
   EngineOptions options;
-  Simulation simulation;     ///< Of the scenario, or of a sample.
-  GasStatistics statistics;  ///< Of all spheres.
-  bool is_sample = false;    ///< Whether the spheres were not placed.
+  Simulation simulation;                ///< Of the scenario, or of a sample.
+  GasStatistics statistics;             ///< Of all spheres.
+  bool is_sample = false;               ///< Whether the spheres were not placed.
+  std::vector<std::string> notes = {};  ///< What make_world has to say, where all spheres were placed.
 };
 
 /// Sets up the simulation of a scenario; if it has more than a million spheres that are not listed one by one

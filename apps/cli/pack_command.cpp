@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,12 @@ void refuse_request_with_resume(const PackingText& text) {
     if (!part->has_value()) continue;
     throw Error("the checkpoint says what is packed", "--resume", "leave the other options out");
   }
+}
+
+void write_warnings(std::span<const std::string> warnings, const Options& options) {
+  std::vector<std::string> notes;
+  for (const std::string& warning : warnings) notes.push_back("warning: " + warning);
+  write_notes(notes, options.quiet);
 }
 
 Packer resumed(const Options& options) {
@@ -189,7 +196,7 @@ ExitCode pack(const Options& options) {
     check_polish(options, packer->plan());
   } else {
     const PackingPlan made = plan(parse_request(options.packing, "--"));
-    for (const std::string& warning : made.warnings) write_message("warning: " + warning);
+    write_warnings(made.warnings, options);
     if (options.dry_run) {
       const double seconds = measured_seconds_per_collision(made);
       write_output(options.json ? plan_json(made, seconds) : plan_table(made, seconds));
@@ -201,8 +208,7 @@ ExitCode pack(const Options& options) {
   carry_out(options, *packer, begin);
   Packing packing = packing_of(*packer);
   if (packer->is_over()) polish_if_wanted(options, packing);
-  for (std::size_t k = packer->plan().warnings.size(); k < packing.warnings.size(); ++k)
-    write_message("warning: " + packing.warnings[k]);
+  write_warnings(std::span(packing.warnings).subspan(packer->plan().warnings.size()), options);
   finish(packing, packer->plan(), precision_of(options));
   for (const std::string& out : options.outs) write(packing.spheres, out);
   write_pages(packing, options);

@@ -30,8 +30,9 @@ ExitCode replay(const Options& options) {
   }
   viewer::Replay(shown.recording(), viewer::built_page()).write(*options.out);
   const viewer::RunProgress progress = shown.recording().progress();
-  write_output(written_line(*options.out, count_of(shown.recording().header().spheres, "sphere") + ", " +
-                                              count_of(progress.collisions, "collision")));
+  const std::string contents = count_of(shown.recording().header().spheres, "sphere") + ", " +
+                               count_of(progress.collisions, "collision");
+  if (!options.quiet) write_output(written_line(*options.out, contents));
   if (progress.failure) write_message(*progress.failure + "; " + *options.out + " shows it up to there");
   if (progress.damage) write_message(*progress.damage);
   return progress.failure || progress.damage ? ExitCode::failed : ExitCode::done;

@@ -8,6 +8,7 @@
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/started_run.hpp"
+#include "apps/cli/terminal.hpp"
 
 namespace hardball::cli {
 
@@ -15,7 +16,9 @@ ExitCode run(const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   catch_signals();
   Scenario scenario = read_scenario(options);
-  Simulation simulation = set_up(options, scenario).simulation;
+  Start start = set_up(options, scenario);
+  write_notes(start.notes, options.quiet);
+  Simulation& simulation = start.simulation;
   std::optional<RunFiles> files;
   if (options.out) {
     files.emplace(*options.out, scenario, &simulation, options.overwrite);
@@ -26,8 +29,8 @@ ExitCode run(const Options& options) {
   Measures measures(files ? scenario.measures : MeasureSettings{.names = {}});
   const std::chrono::duration<double> setup = std::chrono::steady_clock::now() - begin;
   StartedRun started{
-      options, std::move(scenario),     std::move(simulation), std::move(measures), std::move(files),
-      0,       {.setup = setup.count()}};
+      options, std::move(scenario),      std::move(simulation), std::move(measures), std::move(files),
+      0,       {.setup = setup.count()}, std::move(start.notes)};
   return carry_out(started);
 }
 

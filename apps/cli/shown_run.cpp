@@ -9,6 +9,7 @@
 #include "apps/cli/begin_recording.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/temporary_file.hpp"
+#include "apps/cli/terminal.hpp"
 #include "apps/viewer/recorded_progress.hpp"
 #include "hardball/errors/error.hpp"
 
@@ -39,7 +40,9 @@ void ShownRun::open_directory(const Options& options) {
 
 void ShownRun::start_scenario(const Options& options, std::uint64_t most_bytes) {
   const Scenario scenario = read_scenario(options);
-  Simulation simulation = set_up(options, scenario).simulation;
+  Start start = set_up(options, scenario);
+  write_notes(start.notes, options.quiet);
+  Simulation& simulation = start.simulation;
   const TemporaryFile file;
   RecordingWriter writer = begin_recording(file.path(), scenario, simulation);
   recording_ = std::make_unique<viewer::SharedRecording>(file.path());

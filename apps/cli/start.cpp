@@ -75,6 +75,7 @@ Scenario changed_by(const Options& options, Scenario scenario) {
   if (options.seed) {
     scenario.seed = parse_number<std::uint64_t>(*options.seed, "--seed",
                                                 "give an integer from 0 to 18446744073709551615");
+    fit_box(scenario);
   }
   return scenario;
 }
@@ -132,10 +133,12 @@ void set_threads(Simulation& simulation, const Options& options) {
 Start set_up(const Options& options, const Scenario& scenario) {
   constexpr double kWorldMade = 0.5;  // the fraction of the work that this takes
   SetUpProgress progress(!options.quiet);
-  World world = make_world(scenario, progress.part(0, kWorldMade), write_message);
+  std::vector<std::string> notes;
+  World world = make_world(scenario, progress.part(0, kWorldMade),
+                           [&](const std::string& note) { notes.push_back(note); });
   const EngineOptions engine_options = read_engine_options(options, scenario, world);
   return {engine_options,
-          start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1))};
+          start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1)), notes};
 }
 
 std::string name_of(EngineKind engine) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "apps/cli/options.hpp"
 #include "hardball/scenario/scenario.hpp"
@@ -37,6 +38,7 @@ void set_threads(Simulation& simulation, const Options& options);
 struct Start {
   EngineOptions options;
   Simulation simulation;
+  std::vector<std::string> notes;  ///< What make_world has to say about the scenario, a sentence each.
 };
 
 /// Both of the above for the start of a scenario, with progress shown on the terminal. Error: as for both.

@@ -181,7 +181,7 @@ ExitCode carry_out(StartedRun& run) {
   run.measures.sample_the_rest(simulation.world(), simulation.now());
   FinalState state = final_state(run.scenario, simulation);
   state.at_rest_since = course.at_rest_since();
-  const Summary summary(run.scenario, run.options.overrides, state, run.seconds);
+  const Summary summary(run.scenario, run.options.overrides, state, run.seconds, run.notes);
   const std::string json = summary.json();
   if (run.files) {
     const std::vector<Measurement> measurements = run.measures.results(simulation.world(), simulation.now());
@@ -202,8 +202,8 @@ void write_checkpoint(StartedRun& run, const std::filesystem::path& path) {
   // Files first: what they lack when the machine stops, no checkpoint refers to.
   const FilesState files = run.files->save();
   const std::vector<CheckpointSection> sections{
-      {"run",
-       archived(RunState{run.options, run.scenario.text, run.scenario.name, run.next_snapshot, run.seconds})},
+      {"run", archived(RunState{run.options, run.scenario.text, run.scenario.name, run.next_snapshot,
+                                run.seconds, run.notes})},
       {"files", archived(files)},
       {"simulation", run.simulation.save()},
       {"measures", archived(run.measures)}};
@@ -255,7 +255,7 @@ std::optional<StartedRun> resumed_run(const std::filesystem::path& directory,
   // Several processes may have begun it without those that one would have by default.
   if (!measures.is_any_wanted()) scenario.measures.names.clear();
   StartedRun run{std::move(started), std::move(scenario), std::move(simulation), std::move(measures),
-                 std::nullopt,       state.next_snapshot, state.seconds};
+                 std::nullopt,       state.next_snapshot, state.seconds,         std::move(state.notes)};
   run.files.emplace(directory, run.scenario, files);
   // The current one may be later than what the files will hold.
   const std::filesystem::path current = directory / kCheckpoint;

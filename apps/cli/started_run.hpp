@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/options.hpp"
@@ -26,6 +27,7 @@ struct StartedRun {
   std::optional<RunFiles> files;
   std::uint64_t next_snapshot = 0;  ///< Its number, see SnapshotSchedule.
   Seconds seconds;                  ///< That it has taken so far.
+  std::vector<std::string> notes;   ///< See Start.
 };
 
 /// What the section "run" of a checkpoint holds.
@@ -35,10 +37,13 @@ struct RunState {
   std::string name;  ///< Likewise.
   std::uint64_t next_snapshot = 0;
   Seconds seconds;
+  std::vector<std::string> notes;  ///< Of the start.
 
   static void persist(auto& archive, auto& self) {
     archive(self.options, self.text, self.name, self.next_snapshot, self.seconds);
+    if (archive.version() >= kVersionOfNotes) archive(self.notes);
   }
+  static constexpr std::uint32_t kVersionOfNotes = 11;  // of archives
 };
 
 /// The path of the checkpoint that is kept of a time [T]; its folder is there on return. Error (RunFailure):

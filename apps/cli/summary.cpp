@@ -54,7 +54,7 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
 }
 
 Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overrides, const FinalState& state,
-                 const Seconds& seconds)
+                 const Seconds& seconds, const std::vector<std::string>& notes)
     : scenario_name_(scenario.name),
       scenario_text_(scenario.text),
       overrides_(overrides),
@@ -89,6 +89,7 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
       engine_(name_of(state.engine)),
       cell_edge_(state.cell_edge > 0 ? state.cell_edge : kNoNumber),
       seconds_(seconds),
+      notes_(notes),
       bytes_per_sphere_(static_cast<double>(state.memory_bytes) / static_cast<double>(spheres_)),
       peak_rss_bytes_(measure_peak_rss()) {
   for (std::size_t k = 0; k < state.species_counts.size(); ++k)
@@ -166,6 +167,7 @@ std::string Summary::json() const {
   json["collisions_per_second"] = number_or_null(static_cast<double>(counters_.collision) / seconds_.run);
   json["bytes_per_sphere"] = number_or_null(bytes_per_sphere_);
   json["peak_rss_bytes"] = peak_rss_bytes_;
+  if (!notes_.empty()) json["notes"] = notes_;
   json["seed"] = seed_;
   json["version"] = version();
   json["commit"] = commit();
@@ -232,6 +234,7 @@ std::string Summary::table() const {
   add_if_meant("collisions per second", static_cast<double>(counters_.collision) / seconds_.run);
   add("memory", fmt::format("{:.0f} bytes per sphere, {:.1f} MB at the peak", bytes_per_sphere_,
                             static_cast<double>(peak_rss_bytes_) / 1e6));
+  for (const std::string& note : notes_) add("note", note);
   return text;
 }
 

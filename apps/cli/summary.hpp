@@ -50,9 +50,10 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation);
 /// The summary of a run.
 class Summary {
  public:
-  /// Summarizes the run of a scenario. `overrides`: those of the scenario.
+  /// Summarizes the run of a scenario. `overrides`: those of the scenario. `notes`: of its start, a sentence
+  /// each.
   Summary(const Scenario& scenario, const std::vector<std::string>& overrides, const FinalState& state,
-          const Seconds& seconds);
+          const Seconds& seconds, const std::vector<std::string>& notes);
 
   /// One JSON object, with null for what does not apply to this run, and a line break.
   std::string json() const;
@@ -121,6 +122,7 @@ class Summary {
   std::string engine_;
   double cell_edge_;
   Seconds seconds_;
+  std::vector<std::string> notes_;
   double bytes_per_sphere_;
   long peak_rss_bytes_;
 };

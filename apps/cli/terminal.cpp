@@ -37,6 +37,11 @@ void write_message(std::string message) {
   std::fputs(("hardball: " + message + "\n").c_str(), stderr);
 }
 
+void write_notes(const std::vector<std::string>& notes, bool is_quiet) {
+  if (is_quiet) return;
+  for (const std::string& note : notes) write_message(note);
+}
+
 std::string table_line(std::string_view name, const std::string& value) {
   return fmt::format("{:<24}{}\n", name, value);
 }

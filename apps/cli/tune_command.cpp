@@ -193,7 +193,10 @@ double read_budget(const Options& options) {
 Simulation start(const Scenario& scenario, const EngineOptions& options, bool is_shown) {
   constexpr double kWorldMade = 0.5;  // the fraction of the work that this takes
   SetUpProgress progress(is_shown);
-  World world = make_world(scenario, progress.part(0, kWorldMade), write_message);
+  std::vector<std::string> notes;
+  World world = make_world(scenario, progress.part(0, kWorldMade),
+                           [&](const std::string& note) { notes.push_back(note); });
+  write_notes(notes, !is_shown);
   return start_simulation(scenario, std::move(world), options, progress.part(kWorldMade, 1));
 }
 

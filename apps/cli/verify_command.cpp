@@ -68,8 +68,7 @@ VerifiedRun run_with(const Scenario& scenario, const World& start, const EngineO
 // Runs a scenario in several ways, compares each with the first, and prints a table.
 class Comparison {
  public:
-  explicit Comparison(const Scenario& scenario)
-      : scenario_(scenario), start_(make_world(scenario, {}, write_message)) {
+  Comparison(const Scenario& scenario, World start) : scenario_(scenario), start_(std::move(start)) {
     write_output(fmt::format("{:<24}{:>16}{:>12}{:>9}{:>13}{:>9}\n", "run", "event log hash", "collisions",
                              "overlap", "final state", "seconds"));
   }
@@ -159,7 +158,10 @@ double all_pairs_work(const Comparison& comparison, double until) {
 ExitCode verify(const Options& options) {
   const Scenario scenario = read_scenario(options);
   EngineOptions engine_options;
-  Comparison comparison(scenario);
+  std::vector<std::string> notes;
+  Comparison comparison(scenario,
+                        make_world(scenario, {}, [&](const std::string& note) { notes.push_back(note); }));
+  write_notes(notes, options.quiet);
 
   engine_options.engine = EngineKind::cells;
   comparison.run("cells", engine_options);

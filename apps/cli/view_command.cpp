@@ -70,7 +70,7 @@ ExitCode view(const Options& options) {
   const viewer::Server server(shown.recording(), viewer::built_page(), port);
   write_output(server.url() + "\n");
   if (const auto damage = shown.recording().progress().damage) write_message(*damage);
-  write_message("open this address in a browser; Ctrl-C ends the viewer");
+  write_notes({"open this address in a browser; Ctrl-C ends the viewer"}, options.quiet);
   if (!options.no_open && has_display()) open_browser(server.url());
   bool is_told = false;
   while (!is_interrupted()) {

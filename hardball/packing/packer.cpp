@@ -12,8 +12,7 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/packing/jamming.hpp"
 #include "hardball/packing/protocol.hpp"
-#include "hardball/placement/placement.hpp"
-#include "hardball/world/walls.hpp"
+#include "hardball/packing/random_start.hpp"
 
 namespace hardball {
 namespace {
@@ -31,37 +30,8 @@ double thermal_speed(const World& world, const Time& now) {
   return std::sqrt(2 * world.kinetic_energy(now) / degrees);
 }
 
-// Centers for spheres of these radii, or of smaller ones in proportion, if so many do not fit at random. The
-// radii are reduced to those that do.
-std::vector<Vec3> place(const World& empty, const Container& container, std::vector<double>& radii,
-                        Random& random, const Progress& progress) {
-  const IsAllowed is_allowed = [&empty](const Vec3& center, double radius) {
-    return distance_to_surfaces(empty, center, Time(0)) >= radius;
-  };
-  constexpr int kAttempts = 12;
-  constexpr double kSmaller = 0.8;
-  for (int attempt = 1;; ++attempt) {
-    try {
-      return place_randomly(empty.box(), {{}, container.size}, radii, random, "packing", progress,
-                            empty.surfaces().empty() ? IsAllowed() : is_allowed);
-    } catch (const Error&) {
-      if (attempt == kAttempts) throw;
-      for (double& radius : radii) radius *= kSmaller;
-    }
-  }
-}
-
-// Velocities of a thermal speed of one. A drift would only make spheres seem hotter than they are.
 std::vector<Vec3> thermal_velocities(std::size_t count, const Container& container, Random& random) {
-  std::vector<Vec3> velocities(count);
-  Vec3 mean;
-  for (Vec3& velocity : velocities) {
-    velocity = random.normal_vector(container.dimensions);
-    mean += (1 / static_cast<double>(count)) * velocity;
-  }
-  if (container.wall_area() > 0) return velocities;
-  for (Vec3& velocity : velocities) velocity = velocity - mean;
-  return velocities;
+  return thermal_velocities(count, container.dimensions, container.wall_area() > 0, random);
 }
 
 World start_of(const PackingPlan& plan, const OnProgress& on_progress) {
@@ -75,7 +45,8 @@ World start_of(const PackingPlan& plan, const OnProgress& on_progress) {
     for (const double radius : radii) volume += world.box().sphere_volume(radius);
     const double shrink = plan.start_fraction / (volume / plan.container.volume());
     for (double& radius : radii) radius *= root(shrink, dimensions);
-    centers = place(world, plan.container, radii, random, Progress(on_progress));
+    centers =
+        place_shrunken(world, {{}, plan.container.size}, radii, random, "packing", Progress(on_progress));
   }
   const std::vector<Vec3> velocities = thermal_velocities(centers.size(), plan.container, random);
   world.reserve(centers.size());

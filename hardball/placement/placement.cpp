@@ -83,18 +83,26 @@ bool contains(const Box& box, const Region& region, const Vec3& place) {
   return true;
 }
 
+double largest_of(std::span<const double> radii, std::span<const PlacedSphere> placed) {
+  double largest = std::ranges::max(radii);
+  for (const PlacedSphere& sphere : placed) largest = std::max(largest, sphere.radius);
+  return largest;
+}
+
 // Places spheres at random, one after another, none larger than the one before.
 class SequentialAddition {
  public:
   SequentialAddition(const Box& box, const Region& region, std::span<const double> radii, Random& random,
-                     const IsAllowed& is_allowed)
+                     const IsAllowed& is_allowed, std::span<const PlacedSphere> placed)
       : box_(box),
         region_(region),
         count_(radii.size()),
         smallest_(std::ranges::min(radii)),
         random_(random),
         is_allowed_(is_allowed),
-        placed_(box, radii.size(), std::ranges::max(radii)) {}
+        placed_(box, radii.size() + placed.size(), largest_of(radii, placed)) {
+    for (const PlacedSphere& sphere : placed) placed_.insert(sphere.center, sphere.radius);
+  }
 
   // The center of the next sphere, uniform among those with room; none if there is none, or hardly any.
   std::optional<Vec3> place(double radius) {
@@ -255,12 +263,6 @@ class PlacementProgress {
   std::size_t next_ = 0;
 };
 
-double sphere_volume(const Box& box, std::span<const double> radii) {
-  double volume = 0;
-  for (const double radius : radii) volume += box.sphere_volume(radius);
-  return volume;
-}
-
 // A face-centered cubic or hexagonal lattice. Its sites are every second point, as on a chessboard, of a grid
 // with half the edges of its cube, or of a rectangle with a site in the middle.
 struct Lattice {
@@ -320,53 +322,77 @@ Lattice widest_lattice(const Box& box, const Region& region, std::size_t count, 
   return widest;
 }
 
+// How densely the region is to be filled, by spheres of one size or of several.
+struct Filling {
+  double fraction = 0;  // [1]
+  bool is_equal = true;
+};
+
+Filling filling_of(const Box& box, const Region& region, std::span<const double> radii,
+                   std::span<const PlacedSphere> placed) {
+  Filling filling;
+  double volume = 0;
+  const auto add = [&](double radius) {
+    volume += box.sphere_volume(radius);
+    filling.is_equal = filling.is_equal && radius == radii.front();
+  };
+  for (const double radius : radii) add(radius);
+  for (const PlacedSphere& sphere : placed) add(sphere.radius);
+  filling.fraction = volume / box.volume_of(region.high - region.low);
+  return filling;
+}
+
 }  // namespace
 
-std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span<const double> radii,
-                                 Random& random, const std::string& where, const Progress& progress,
-                                 const IsAllowed& is_allowed) {
+std::optional<std::vector<Vec3>> find_random_places(const Box& box, const Region& region,
+                                                    std::span<const double> radii, Random& random,
+                                                    const std::string& where, const Progress& progress,
+                                                    const IsAllowed& is_allowed,
+                                                    std::span<const PlacedSphere> placed) {
   std::vector<Vec3> centers(radii.size());
   if (radii.empty()) return centers;
   check_region(box, region, where);
   for (const double radius : radii) check_positive(radius, "radius", where);
   check_fits(box, region, std::ranges::max(radii), where);
   const Packing& densest = packing_in(box);
-  const std::string lattice = "use placement = \"" + std::string(densest.keyword) + "\"";
-  const bool are_equal = std::ranges::min(radii) == std::ranges::max(radii);
-  const double packing = sphere_volume(box, radii) / box.volume_of(region.high - region.low);
+  const auto [packing, are_equal] = filling_of(box, region, radii, placed);
   if (packing > densest.closest && are_equal) {
     throw Error("a packing fraction of " + to_text(packing) + " cannot exist", where,
                 "equal " + std::string(box.is_flat() ? "discs" : "spheres") + " fill at most " +
                     to_text(std::floor(1e4 * densest.closest + 0.5) / 1e4) +
                     "; enlarge the box, or use fewer or smaller ones");
   }
-  if (packing > densest.most_random && are_equal) {
-    throw Error("random placement cannot reach a packing fraction of " + to_text(packing), where,
-                lattice + ", which reaches " + to_text(std::floor(100 * densest.closest) / 100) +
-                    ", or stay below " + to_text(densest.most_random));
-  }
+  if (packing > densest.most_random && are_equal) return std::nullopt;
   std::vector<std::size_t> by_size(radii.size());
   std::iota(by_size.begin(), by_size.end(), std::size_t{0});
-  if (!are_equal) {
+  if (std::ranges::min(radii) != std::ranges::max(radii)) {
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
   }
   PlacementProgress progress_by_work(progress, radii.size(), are_equal ? packing / densest.saturation : 0,
                                      box.dimensions());
-  SequentialAddition addition(box, region, radii, random, is_allowed);
-  std::size_t placed = 0;
+  SequentialAddition addition(box, region, radii, random, is_allowed, placed);
+  std::size_t done = 0;
   for (const std::size_t i : by_size) {
-    progress_by_work.note(placed);
+    progress_by_work.note(done);
     const std::optional<Vec3> center = addition.place(radii[i]);
-    if (!center) {
-      throw Error(
-          "random placement found room for " + to_text(placed) + " of " + to_text(radii.size()) + " spheres",
-          where, lattice + ", a larger box, or fewer or smaller spheres");
-    }
+    if (!center) return std::nullopt;
     centers[i] = *center;
-    ++placed;
+    ++done;
   }
   return centers;
+}
+
+std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span<const double> radii,
+                                 Random& random, const std::string& where, const Progress& progress,
+                                 const IsAllowed& is_allowed, std::span<const PlacedSphere> placed) {
+  auto centers = find_random_places(box, region, radii, random, where, progress, is_allowed, placed);
+  if (centers) return *std::move(centers);
+  throw Error("random placement cannot reach a packing fraction of " +
+                  to_text(filling_of(box, region, radii, placed).fraction),
+              where,
+              "use placement = \"" + std::string(packing_in(box).keyword) +
+                  "\", a larger box, or fewer or smaller spheres");
 }
 
 std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::size_t count, double radius,

@@ -84,6 +84,11 @@ TableDescription box_keys() {
                "edge lengths; the box spans 0 to size. Three numbers, or one for each axis that is not "
                "open. For an open axis it only says where placement puts spheres",
            .example = "[10.0, 10.0, 10.0]"},
+          {.name = "packing_fraction",
+           .range = positive,
+           .meaning = "instead of `size`: the fraction of the volume that the spheres fill, from which the "
+                      "edge of a cube follows, in two dimensions that of a square",
+           .example = "0.3"},
           {.name = "gravity",
            .type = vector,
            .dimension = "L/T²",
@@ -214,6 +219,12 @@ TableDescription spheres_keys() {
                .most = kMaxSpheres,
                .meaning = "their number; may be left out where a list gives it",
                .example = "1000"},
+              {.name = "packing_fraction",
+               .range = positive,
+               .meaning =
+                   "instead of `count`: the fraction of the volume of the box that these spheres fill, "
+                   "to the nearest whole number of them",
+               .example = "0.3"},
               {.name = "radius",
                .range = positive,
                .dimension = "L",
@@ -231,9 +242,9 @@ TableDescription spheres_keys() {
               {.name = "placement",
                .type = choice,
                .choices = {"random", "fcc", "hexagonal"},
-               .meaning = "`\"random\"`: anywhere without overlap, up to a packing fraction of 0.36 for "
-                          "equal spheres and 0.54 for equal discs, "
-                          "more for unequal ones; "
+               .meaning = "`\"random\"`: anywhere without overlap with each other and with spheres that are "
+                          "listed; beyond a packing fraction of 0.36 for equal spheres and 0.54 for equal "
+                          "discs they grow into place, up to .97 of the packing fraction at which they jam; "
                           "`\"fcc\"`: on a face-centered cubic lattice that fills the box; "
                           "`\"hexagonal\"`: the same for discs",
                .example = "\"random\""},

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/packing/grown_placement.hpp"
 #include "hardball/placement/placement.hpp"
-#include "hardball/placement/radii.hpp"
+#include "hardball/scenario/density.hpp"
 #include "hardball/scenario/make_interactions.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/velocities.hpp"
@@ -26,27 +26,6 @@ namespace {
 constexpr double kPlaced = 0.75;
 
 using Groups = std::span<const SphereGroup>;
-
-double disc_area(Groups groups) {
-  double squares = 0;
-  for (const SphereGroup& group : groups) {
-    for (std::size_t i = 0; i < group.count; ++i) squares += group.radius_of(i) * group.radius_of(i);
-  }
-  return std::numbers::pi * squares;
-}
-
-double sphere_volume(Groups groups) {
-  if (groups.front().dimensions == 2) return disc_area(groups);
-  double volume = 0;
-  for (const SphereGroup& group : groups) {
-    if (group.radii.empty()) {
-      volume += static_cast<double>(group.count) * 4 * std::numbers::pi / 3 * group.radius * group.radius *
-                group.radius;
-    }
-    for (const double radius : group.radii) volume += 4 * std::numbers::pi / 3 * radius * radius * radius;
-  }
-  return volume;
-}
 
 double largest_radius(const SphereGroup& group) {
   return group.radii.empty() ? group.radius : std::ranges::max(group.radii);
@@ -119,43 +98,47 @@ void check_room(const Box& box, Groups groups, const Region& region) {
   }
 }
 
-// No placement avoids spheres that another has placed, so all groups must use the same.
-void check_one_placement(Groups groups) {
+bool is_on_lattice(const SphereGroup& group) {
+  return group.placement == Placement::fcc || group.placement == Placement::hexagonal;
+}
+
+// Spheres at random avoid those that are listed. A lattice fills the region alone, with spheres of one size.
+void check_placements(Groups groups) {
+  const auto lattice = std::ranges::find_if(groups, is_on_lattice);
+  if (lattice == groups.end()) return;
   for (const SphereGroup& group : groups) {
-    const SphereGroup& first = groups.front();
-    if (group.placement != first.placement) {
-      throw Error("groups are placed in different ways", group.where,
-                  "place all groups at random, all on a lattice, or all by positions");
+    if (group.placement != lattice->placement) {
+      throw Error("groups are placed in different ways, one of them on a lattice, which fills the box",
+                  group.where,
+                  "place all groups on the lattice, or none: placement = \"random\" goes with positions");
     }
-    if (group.placement == Placement::random || group.placement == Placement::listed) continue;
     for (std::size_t i = 0; i < group.count; ++i) {
-      if (group.radius_of(i) == first.radius_of(0)) continue;
+      if (group.radius_of(i) == lattice->radius_of(0)) continue;
       throw Error("placement on a lattice needs spheres of one radius, and there are " +
-                      to_text(first.radius_of(0)) + " and " + to_text(group.radius_of(i)),
+                      to_text(lattice->radius_of(0)) + " and " + to_text(group.radius_of(i)),
                   group.where, "make the radii equal or use placement = \"random\"");
     }
   }
 }
 
-std::vector<Vec3> place(const Scenario& scenario, Groups groups, const World& world, Random& random,
-                        const Progress& progress) {
-  check_one_placement(groups);
-  const SphereGroup& first = groups.front();
-  std::vector<Vec3> positions;
-  if (first.placement == Placement::listed) {
-    for (const SphereGroup& group : groups) {
-      positions.insert(positions.end(), group.positions.begin(), group.positions.end());
-    }
-    return positions;
-  }
-  const Region region = make_region(scenario, groups, world.surfaces());
-  check_room(world.box(), groups, region);
+// Centers for the spheres of the groups that are placed at random, in the order of ids.
+std::vector<Vec3> place_at_random(const World& world, const Region& region, Groups groups, Random& random,
+                                  const Progress& progress, const OnNote& on_note) {
   std::vector<double> radii;
+  std::vector<PlacedSphere> placed;
+  std::string where;
   for (const SphereGroup& group : groups) {
-    for (std::size_t i = 0; i < group.count; ++i) radii.push_back(group.radius_of(i));
-  }
-  if (first.placement != Placement::random) {
-    return place_on_lattice(world.box(), region, radii.size(), radii.front(), first.where);
+    const bool is_listed = group.placement == Placement::listed;
+    if (!is_listed && where.empty()) where = group.where;
+    for (std::size_t i = 0; i < group.count; ++i) {
+      if (is_listed) {
+        placed.push_back({group.positions[i], group.radius_of(i)});
+        Vec3 no_velocity;
+        world.box().fold(placed.back().center, no_velocity, Time(0));
+      } else {
+        radii.push_back(group.radius_of(i));
+      }
+    }
   }
   IsAllowed is_allowed;
   if (!world.surfaces().empty()) {
@@ -163,7 +146,41 @@ std::vector<Vec3> place(const Scenario& scenario, Groups groups, const World& wo
       return distance_to_surfaces(world, center, Time(0)) >= radius;
     };
   }
-  return place_randomly(world.box(), region, radii, random, first.where, progress, is_allowed);
+  if (auto centers =
+          find_random_places(world.box(), region, radii, random, where, progress, is_allowed, placed))
+    return *std::move(centers);
+  std::vector<Vec3> centers = place_by_growth(world, region, radii, placed, random, where, progress);
+  if (on_note) on_note("placed by growing spheres, which are too dense for random placement alone");
+  return centers;
+}
+
+std::vector<Vec3> place(const Scenario& scenario, Groups groups, const World& world, Random& random,
+                        const Progress& progress, const OnNote& on_note) {
+  check_placements(groups);
+  const auto is_listed = [](const SphereGroup& group) { return group.placement == Placement::listed; };
+  std::vector<Vec3> placed;
+  if (!std::ranges::all_of(groups, is_listed)) {
+    const Region region = make_region(scenario, groups, world.surfaces());
+    check_room(world.box(), groups, region);
+    const SphereGroup& first = groups.front();
+    std::size_t count = 0;
+    for (const SphereGroup& group : groups) count += group.count;
+    placed = is_on_lattice(first)
+                 ? place_on_lattice(world.box(), region, count, first.radius_of(0), first.where)
+                 : place_at_random(world, region, groups, random, progress, on_note);
+  }
+  if (std::ranges::none_of(groups, is_listed)) return placed;
+  std::vector<Vec3> positions;
+  auto next = placed.begin();
+  for (const SphereGroup& group : groups) {
+    if (is_listed(group)) {
+      positions.insert(positions.end(), group.positions.begin(), group.positions.end());
+    } else {
+      positions.insert(positions.end(), next, next + static_cast<std::ptrdiff_t>(group.count));
+      next += static_cast<std::ptrdiff_t>(group.count);
+    }
+  }
+  return positions;
 }
 
 // Adds a sphere that a file describes at `where`.
@@ -214,13 +231,11 @@ Vec3 in_flow(const Box& box, const Vec3& position, Vec3 velocity) {
   return velocity;
 }
 
-void add_groups(const Scenario& scenario, World& world, const Progress& progress) {
+void add_groups(const Scenario& scenario, World& world, const Progress& progress, const OnNote& on_note) {
   Random random(scenario.seed);
-  std::vector<SphereGroup> groups = scenario.spheres;
-  for (SphereGroup& group : groups) {
-    if (group.distribution) group.radii = draw_radii(*group.distribution, group.count, random);
-  }
-  const std::vector<Vec3> positions = place(scenario, groups, world, random, progress.part(0, kPlaced));
+  const std::vector<SphereGroup> groups = groups_with_radii(scenario, random);
+  const std::vector<Vec3> positions =
+      place(scenario, groups, world, random, progress.part(0, kPlaced), on_note);
   const bool without_drift = world.box().is_all(Boundary::periodic);
   const std::vector<Vec3> velocities = draw_velocities(groups, without_drift, random);
   const std::vector<Vec3> spins = draw_spins(scenario, groups, random);
@@ -268,8 +283,7 @@ void set_interactions(const Scenario& scenario, World& world) {
 bool can_be_made_in_turn(const Scenario& scenario) {
   if (scenario.start_file || scenario.spheres.size() != 1 || scenario.shear.is_present()) return false;
   const SphereGroup& group = scenario.spheres.front();
-  const bool is_on_lattice = group.placement == Placement::fcc || group.placement == Placement::hexagonal;
-  return is_on_lattice && !group.distribution && group.velocity_rule != VelocityRule::listed &&
+  return is_on_lattice(group) && !group.distribution && group.velocity_rule != VelocityRule::listed &&
          group.spins.empty();
 }
 
@@ -412,7 +426,7 @@ World make_world(const Scenario& scenario, const OnProgress& on_progress, const 
   const Progress progress(on_progress);
   progress.note(0, 1);
   World world = scenario.start_file ? make_from_file(scenario, on_note) : make_empty_world(scenario);
-  if (!scenario.spheres.empty()) add_groups(scenario, world, progress);
+  if (!scenario.spheres.empty()) add_groups(scenario, world, progress, on_note);
   set_interactions(scenario, world);
   add_bonds(scenario, world);
   progress.note_end();

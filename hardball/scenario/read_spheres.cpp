@@ -7,6 +7,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/scenario/density.hpp"
 #include "hardball/scenario/read_response.hpp"
 
 namespace hardball {
@@ -58,11 +59,32 @@ void read_velocities(const Section& section, SphereGroup& group) {
   group.velocity_rule = *rule;
 }
 
+// The number of spheres that fill a part of the box.
+std::size_t read_packing_fraction(const Section& section, const Value& fraction, const SphereGroup& group,
+                                  const Scenario& scenario) {
+  for (const char* other : {"count", "positions"}) {
+    if (!section.find(other)) continue;
+    throw Error(std::string("both packing_fraction and ") + other + " are given", fraction.location(),
+                "remove one of the two");
+  }
+  if (scenario.packing_fraction) {
+    throw Error("the box and the spheres both have a packing_fraction", fraction.location(),
+                "give count here, from which the box follows, or give the box a size");
+  }
+  if (group.distribution) {
+    throw Error("packing_fraction is given for spheres whose radii are distributed", fraction.location(),
+                "give count here, and packing_fraction in [box] instead of size");
+  }
+  return count_for(fraction.number(), group, scenario.box, fraction.location());
+}
+
 // Lists give the count if it is missing, and must agree with it otherwise.
-void read_count(const Section& section, SphereGroup& group) {
+void read_count(const Section& section, const Scenario& scenario, SphereGroup& group) {
   const bool has_positions = group.placement == Placement::listed;
   const bool has_velocities = group.velocity_rule == VelocityRule::listed;
-  if (const auto count = section.find("count")) {
+  if (const auto fraction = section.find("packing_fraction")) {
+    group.count = read_packing_fraction(section, *fraction, group, scenario);
+  } else if (const auto count = section.find("count")) {
     group.count = count->integer();
   } else if (has_positions || has_velocities) {
     group.count = has_positions ? group.positions.size() : group.velocities.size();
@@ -151,16 +173,16 @@ void read_spins(const Section& section, SphereGroup& group) {
 }  // namespace
 
 SphereGroup read_spheres(const Section& section, const std::filesystem::path& folder,
-                         std::span<const SpeciesDescription> species, std::size_t dimensions) {
+                         const Scenario& scenario) {
   SphereGroup group;
-  group.dimensions = dimensions;
+  group.dimensions = scenario.dimensions();
   group.where = section.location();
   read_placement(section, group);
   read_velocities(section, group);
-  read_count(section, group);
   read_sizes(section, folder, group);
+  read_count(section, scenario, group);
   read_spins(section, group);
-  if (const auto name = section.find("species")) group.species = species_named(*name, species);
+  if (const auto name = section.find("species")) group.species = species_named(*name, scenario.species);
   if (const auto kinematic = section.find("kinematic")) group.is_kinematic = kinematic->truth();
   if (group.is_kinematic && section.find("mass")) {
     throw Error("both mass and kinematic are given", section.need("mass").location(),

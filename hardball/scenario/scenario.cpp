@@ -58,8 +58,46 @@ void read_box(const Section& section, std::array<Scenario::Axis, kAxes>& all_axe
   }
   if (const auto size = section.find("size")) {
     read_sizes(*size, box);
-  } else if (!is_open) {
+  } else if (!is_open && !section.find("packing_fraction")) {
     section.need("size");
+  }
+}
+
+// The packing fraction from which the size of the box follows.
+void read_packing_fraction(const Section& box, Scenario& scenario) {
+  const std::optional<Value> fraction = box.find("packing_fraction");
+  if (!fraction) return;
+  if (box.find("size")) {
+    throw Error("both size and packing_fraction are given", fraction->location(),
+                "remove one of the two; with size, [[spheres]] may have packing_fraction instead of count");
+  }
+  const auto is_open = [](const Scenario::Axis& axis) { return axis.boundary == Boundary::open; };
+  if (std::ranges::any_of(scenario.box, is_open)) {
+    throw Error("packing_fraction is given, and the box is open along an axis", fraction->location(),
+                "make all axes periodic or walls, or give size");
+  }
+  scenario.packing_fraction = fraction->number();
+}
+
+// Error: a packing fraction is given where it does not determine the size of the box or a number of spheres.
+void check_packing_fractions(const Section& root, const Scenario& scenario) {
+  const std::vector<Section> groups = root.sections("spheres");
+  const bool has_surfaces = !scenario.walls.empty() || !scenario.obstacles.empty();
+  const auto refuse = [](const std::string& what, const Value& fraction, const char* remedy) {
+    throw Error("packing_fraction is given, and " + what, fraction.location(), remedy);
+  };
+  if (scenario.packing_fraction) {
+    const Value fraction = root.section("box")->need("packing_fraction");
+    if (groups.empty()) refuse("the spheres come from a file", fraction, "give size");
+    if (has_surfaces) refuse("there are [[walls]] or [[obstacles]]", fraction, "give size");
+    const auto is_listed = [](const SphereGroup& group) { return group.placement == Placement::listed; };
+    if (std::ranges::any_of(scenario.spheres, is_listed))
+      refuse("spheres have positions, which need a box of known size", fraction, "give size");
+  }
+  for (const Section& group : groups) {
+    const std::optional<Value> fraction = group.find("packing_fraction");
+    if (fraction && has_surfaces)
+      refuse("[[walls]] or [[obstacles]] leave only a part of the box", *fraction, "give count");
   }
 }
 
@@ -119,8 +157,7 @@ void read_start(const Section& root, Scenario& scenario) {
     return;
   }
   if (groups.empty()) throw Error("there are no spheres", scenario.name, "add [[spheres]] or [start]");
-  for (const Section& group : groups)
-    scenario.spheres.push_back(read_spheres(group, folder, scenario.species, scenario.dimensions()));
+  for (const Section& group : groups) scenario.spheres.push_back(read_spheres(group, folder, scenario));
 }
 
 std::size_t read_slabs(const Section& section) {
@@ -242,6 +279,7 @@ Scenario read_scenario(const Document& document) {
                 "add [box] with size = [10.0, 10.0, 10.0] and boundary = [\"wall\", \"wall\", \"wall\"]");
   }
   read_box(*box, scenario.box);
+  read_packing_fraction(*box, scenario);
   scenario.gravity = read_gravity(*box, scenario.dimensions());
   read_shear(*box, scenario);
   scenario.species = read_species(root);
@@ -249,6 +287,7 @@ Scenario read_scenario(const Document& document) {
   scenario.faces = read_faces(*box, scenario.dimensions());
   scenario.walls = read_walls(root, scenario.dimensions());
   scenario.obstacles = read_obstacles(root, scenario.dimensions());
+  check_packing_fractions(root, scenario);
   read_response(root, scenario);
   read_potentials(root, scenario);
   if (const auto thermostat = root.section("thermostat")) scenario.thermostat = read_thermostat(*thermostat);
@@ -266,6 +305,7 @@ Scenario read_scenario(const Document& document) {
   scenario.measures.is_energy_random =
       !scenario.start_file && std::ranges::any_of(scenario.spheres, is_random);
   leave_out_measures(root, scenario);
+  fit_box(scenario);
   return scenario;
 }
 

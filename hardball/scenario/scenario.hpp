@@ -27,9 +27,9 @@ namespace hardball {
 
 /// How the centers of a group's spheres are chosen.
 enum class Placement {
-  random,     ///< Anywhere without overlap.
+  random,     ///< Anywhere without overlap, also with those that are listed.
   fcc,        ///< On a face-centered cubic lattice that fills the region.
-  hexagonal,  ///< The same in two dimensions.
+  hexagonal,  ///< On a hexagonal lattice that fills a flat region.
   listed,     ///< Where SphereGroup::positions says.
 };
 
@@ -144,6 +144,9 @@ struct HARDBALL_EXPORT Scenario {
   std::string name;  ///< The file, for messages.
   std::string text;  ///< Its contents, without overrides.
   std::array<Axis, kAxes> box;
+  /// The fraction of the volume that the spheres fill, from which fit_box has made the sizes of the box [1];
+  /// none where they are given.
+  std::optional<double> packing_fraction;
   /// 2 if the box is flat.
   std::size_t dimensions() const { return box[2].boundary == Boundary::flat ? 2 : 3; }
   Vec3 gravity;                        ///< [L/T^2]
@@ -198,8 +201,15 @@ struct HARDBALL_EXPORT Scenario {
 HARDBALL_EXPORT Scenario load_scenario(const std::filesystem::path& path,
                                        std::span<const std::string> overrides = {});
 
-/// The same from a text; `name` stands for the file in messages and in the path of the start file.
+/// Reads a scenario from a text, as load_scenario does; `name` stands for the file in messages and in the
+/// path of the start file.
 HARDBALL_EXPORT Scenario parse_scenario(std::string_view text, const std::string& name,
                                         std::span<const std::string> overrides = {});
+
+/// Gives the box the edge at which the spheres fill the packing fraction of the scenario; changes nothing
+/// where there is none. load_scenario has done this: call it again after changing the groups, or the seed
+/// where radii are distributed. Cost: O(n) where radii are distributed. Error: see draw_radii; more than ten
+/// million radii of a group would have to be drawn.
+HARDBALL_EXPORT void fit_box(Scenario& scenario);
 
 }  // namespace hardball

@@ -123,9 +123,20 @@ void bind_measurements(py::module_& module) {
             for (const py::dict& all : {quantities_of(self), columns_of(self)}) {
               if (all.contains(name)) return py::object(all[py::str(name)]);
             }
-            throw py::key_error(name);
+            std::string known;
+            for (const py::dict& all : {quantities_of(self), columns_of(self)}) {
+              for (const auto& [key, value] : all)
+                known += (known.empty() ? "" : ", ") + py::str(key).cast<std::string>();
+            }
+            throw py::key_error("there is no quantity or column " + name + "; choose among " + known);
           },
-          py::arg("name"), "The quantity or column of this name.")
+          py::arg("name"), "The quantity or column of this name. KeyError: there is none.")
+      .def(
+          "__contains__",
+          [](const py::object& self, const std::string& name) {
+            return quantities_of(self).contains(name) || columns_of(self).contains(name);
+          },
+          py::arg("name"), "Whether there is a quantity or column of this name.")
       .def(pickled<Measurement>())
       .def_readonly("duration", &Measurement::duration, doc::Measurement_duration)
       .def_readonly("transient", &Measurement::transient, doc::Measurement_transient)

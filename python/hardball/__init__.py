@@ -11,6 +11,11 @@ For example::
 Lengths are in any unit [L], times in another [T], masses in a third [M]; all other units follow.
 """
 
+from ._requirements import require
+
+require()
+
+from ._attributes import refuse_unknown_attributes
 from ._hardball import (
     Andersen,
     Bounce,
@@ -38,7 +43,7 @@ from ._hardball import (
     __version__,
     measure_names,
 )
-from ._calls import ArgumentError, explain_calls
+from ._calls import ArgumentError, explain_calls, explained
 from ._packing import Packing, PackingFailed, pack
 from ._simulation import Simulation
 from ._view import View
@@ -77,9 +82,15 @@ __all__ = [
     "__version__",
 ]
 
-explain_calls(Simulation.__mro__[1])
+for _base in (Simulation, Packing):
+    explain_calls(_base.__mro__[1])
 for _name in __all__:
-    if isinstance(globals()[_name], type):
-        globals()[_name].__module__ = "hardball"
-        explain_calls(globals()[_name])
-del _name, explain_calls
+    _entity = globals()[_name]
+    if isinstance(_entity, type):
+        _entity.__module__ = "hardball"
+        explain_calls(_entity)
+        if not issubclass(_entity, BaseException):
+            refuse_unknown_attributes(_entity)
+    elif callable(_entity):
+        globals()[_name] = explained(_entity, _name)
+del _base, _entity, _name, explain_calls, explained, refuse_unknown_attributes, require

@@ -5,8 +5,11 @@
 from __future__ import annotations
 
 import operator
+import os
 from numbers import Real
 from typing import Any, Iterable, TypeVar
+
+import numpy as np
 
 from . import _hardball
 
@@ -34,6 +37,44 @@ def real_number(value: Any, name: str) -> float:
     except TypeError:
         pass
     raise _hardball.Error(f"{name}: it is {value!r}; give a number")
+
+
+def not_negative(value: Any, name: str) -> float:
+    """Error: it is not a number, or negative or NaN."""
+    number = real_number(value, name)
+    if not number >= 0:
+        raise _hardball.Error(f"{name}: it is {number}; give a number that is not negative")
+    return number
+
+
+def real_numbers(values: Any, name: str) -> list[float]:
+    """Error: it is neither a number nor an array of numbers."""
+    try:
+        return [float(number) for number in np.asarray(values, dtype=float).ravel()]
+    except (TypeError, ValueError):
+        raise _hardball.Error(f"{name}: it is {values!r}; give a number, or a list of numbers") from None
+
+
+def truth(value: Any, name: str) -> bool:
+    """Error: it is neither True nor False."""
+    if isinstance(value, (bool, np.bool_)):
+        return bool(value)
+    raise _hardball.Error(f"{name}: it is {value!r}; give True or False")
+
+
+def text(value: Any, name: str, example: str) -> str:
+    """Error: it is not a string."""
+    if isinstance(value, str):
+        return value
+    raise _hardball.Error(f"{name}: it is {value!r}; give a text such as {example!r}")
+
+
+def path_text(value: Any, name: str) -> str:
+    """The name of a file as a string. Error: it is not a path."""
+    try:
+        return os.fsdecode(value)
+    except TypeError:
+        raise _hardball.Error(f"{name}: it is {value!r}; give the path of a file") from None
 
 
 def list_of(kind: type[Item], values: Any, name: str) -> list[Item]:

@@ -8,6 +8,7 @@ import difflib
 import functools
 import inspect
 import re
+from numbers import Real
 from typing import Any, Callable, Optional
 
 from . import _hardball
@@ -27,12 +28,13 @@ def explain_calls(kind: type) -> None:
             continue
         title = kind.__name__ if name == "__init__" else f"{kind.__name__}.{name}"
         if isinstance(value, (staticmethod, classmethod)):
-            setattr(kind, name, type(value)(_explained(value.__func__, title)))
+            setattr(kind, name, type(value)(explained(value.__func__, title)))
         elif callable(value):
-            setattr(kind, name, _explained(value, title))
+            setattr(kind, name, explained(value, title))
 
 
-def _explained(function: Callable[..., Any], title: str) -> Callable[..., Any]:
+def explained(function: Callable[..., Any], title: str) -> Callable[..., Any]:
+    """The function, which raises ArgumentError where its arguments do not fit."""
     names = _names_of(function)
 
     @functools.wraps(function)
@@ -44,15 +46,56 @@ def _explained(function: Callable[..., Any], title: str) -> Callable[..., Any]:
         try:
             return function(*arguments, **options)
         except TypeError as error:
-            if not _UNFIT.search(str(error)):
+            if not _is_of_call(error, function, arguments, options):
                 raise
-        raise ArgumentError(f"{title}: these arguments do not fit; it takes {_signature_of(function) or 'others'}")
+        raise ArgumentError(f"{title}: {_what_is_wrong(function, title, arguments, options)}")
 
     return call
 
 
+def _is_of_call(error: TypeError, function: Callable[..., Any], arguments: Any, options: Any) -> bool:
+    """Whether a function did not accept its arguments, rather than failed inside."""
+    return bool(_UNFIT.search(str(error)) or _binding_error(function, arguments, options))
+
+
+def _binding_error(function: Callable[..., Any], arguments: Any, options: Any) -> str:
+    """Why a function in Python cannot be called so; nothing if it can, or if that is not known."""
+    try:
+        inspect.signature(function).bind(*arguments, **options)
+    except TypeError as error:
+        return str(error)
+    except ValueError:  # with several overloads
+        pass
+    return ""
+
+
+def _what_is_wrong(function: Callable[..., Any], title: str, arguments: Any, options: Any) -> str:
+    signature = _signature_of(function) or _signature_in_python(function)
+    positional = (signature or "").partition("*")[0]
+    has_self = f"{function.__name__}(self: " in (function.__doc__ or "")
+    given = arguments[1:] if has_self else arguments
+    numbers = [argument for argument in given if isinstance(argument, Real)]
+    if "object" in positional and len(given) > positional.count(":") and len(numbers) > 1:
+        listed = f"[{', '.join(str(number) for number in numbers)}]"
+        call = function.__name__ if has_self and "." in title else f"hardball.{title}"
+        example = f", as in {call}({listed})" if len(numbers) == len(given) else f": {listed}"
+        return f"there are {len(numbers)} numbers; give them as one list{example}"
+    problem = _binding_error(function, arguments, options) or "these arguments do not fit"
+    return f"{problem}; it takes {signature or 'others'}"
+
+
+def _signature_in_python(function: Callable[..., Any]) -> Optional[str]:
+    try:
+        signature = inspect.signature(function)
+    except ValueError:
+        return None
+    empty = inspect.Parameter.empty
+    shown = [each.replace(annotation=empty) for each in signature.parameters.values() if each.name not in ("self", "cls")]
+    return str(inspect.Signature(shown))
+
+
 def _suggestion(name: str, names: list[str]) -> str:
-    near = difflib.get_close_matches(name, names, n=1)
+    near = difflib.get_close_matches(name, names, n=1, cutoff=0.65)
     return f"did you mean {near[0]}=?" if near else f"it takes {', '.join(names)}"
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _hardball
-from ._arguments import real_number, whole_number
+from ._arguments import not_negative, path_text, real_number, real_numbers, text, truth, whole_number
 from ._simulation import Simulation
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ class Packing(_hardball.Packing):
         """The spheres as a gas of this kT, with masses of one."""
         flat = self.box.dimensions == 2
         random = np.random.default_rng(whole_number(seed, "seed"))
-        speed = np.sqrt(real_number(temperature, "temperature"))
+        speed = np.sqrt(not_negative(temperature, "temperature"))
         velocities = speed * random.standard_normal(self.positions.shape)
         if flat:
             velocities[:, 2] = 0
@@ -46,7 +46,10 @@ class Packing(_hardball.Packing):
 
     def to_ase(self) -> ase.Atoms:
         """The spheres as an ASE Atoms object, with an array 'radius', as Simulation.from_ase reads it."""
-        import ase
+        try:
+            import ase
+        except ImportError as error:
+            raise ImportError("to_ase needs ASE, which is not installed: install it with 'pip install ase'") from error
 
         size = np.asarray(self.box.size)
         periodic = [boundary == "periodic" for boundary in self.box.boundary]
@@ -122,25 +125,37 @@ def pack(
     if isinstance(sizes, str):
         parts["sizes"] = sizes
     elif isinstance(sizes, tuple) and sizes and isinstance(sizes[0], str):
-        parts["sizes"] = sizes[0] + ":" + ",".join(repr(float(number)) for number in sizes[1:])
+        parts["sizes"] = sizes[0] + ":" + _numbers_text(sizes[1:], "sizes")
     elif sizes is not None:
-        radii = [float(radius) for radius in np.asarray(sizes, dtype=float).ravel()]
+        radii = real_numbers(sizes, "sizes")
     if count is not None:
         parts["count"] = str(whole_number(count, "count"))
     if box is not None:
-        parts["box"] = box if isinstance(box, str) else ",".join(repr(float(edge)) for edge in np.atleast_1d(box))
+        parts["box"] = box if isinstance(box, str) else _numbers_text(box, "box")
     if phi is not None:
         parts["phi"] = phi if isinstance(phi, str) else repr(real_number(phi, "phi"))
     numbers = {"diameter": diameter, "pressure": pressure, "rate": rate, "gap": gap}
     parts.update({name: repr(real_number(value, name)) for name, value in numbers.items() if value is not None})
-    texts = {"walls": walls, "container": container, "start": None if start is None else os.fspath(start)}
-    parts.update({name: str(value) for name, value in texts.items() if value is not None})
+    if walls is not None:
+        parts["walls"] = text(walls, "walls", "z")
+    if container is not None:
+        parts["container"] = text(container, "container", "cylinder:7,50")
+    if start is not None:
+        parts["start"] = path_text(start, "start")
     parts["dimensions"] = str(whole_number(dimensions, "dimensions"))
     packing = Packing.__new__(Packing)
     made = _hardball._pack(
-        parts, radii, whole_number(threads, "threads"), None if limit is None else real_number(limit, "limit"), polish
+        parts,
+        radii,
+        whole_number(threads, "threads"),
+        None if limit is None else not_negative(limit, "limit"),
+        truth(polish, "polish"),
     )
     _hardball.Packing.__init__(packing, made)
     if packing.status == "not reached":
         raise PackingFailed(packing)
     return packing
+
+
+def _numbers_text(values: ArrayLike, name: str) -> str:
+    return ",".join(repr(number) for number in real_numbers(values, name))

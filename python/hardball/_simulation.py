@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _hardball
-from ._arguments import bonds_of, engine_name, list_of, real_number, species_pairs, whole_number
+from ._arguments import bonds_of, engine_name, list_of, path_text, real_number, species_pairs, whole_number
 from ._notebook import html_of
 from ._scenario import toml_of
 from ._view import View, is_notebook, view_of
@@ -131,7 +131,7 @@ class Simulation(_hardball.Simulation):
         if isinstance(scenario, Mapping):
             text = "".join(f"{key} = {toml_of(value)}\n" for key, value in scenario.items())
             return cls._of(cls._from_scenario_text(text, "scenario", changes, engine, cell_edge))
-        return cls._of(cls._from_scenario_file(os.fspath(scenario), changes, engine, cell_edge))
+        return cls._of(cls._from_scenario_file(path_text(scenario, "scenario"), changes, engine, cell_edge))
 
     @classmethod
     def from_file(
@@ -147,7 +147,8 @@ class Simulation(_hardball.Simulation):
         The box is that of the file: periodic where the file says so, otherwise open. `overrides` changes it or adds
         other keys of a scenario: {'box.boundary': ['wall'] * 3, 'response.restitution': 0.9}.
         """
-        scenario = {"box": cls._box_of_file(os.fspath(path)), "start": {"file": os.path.abspath(path)}}
+        file = path_text(path, "path")
+        scenario = {"box": cls._box_of_file(file), "start": {"file": os.path.abspath(file)}}
         return cls.from_scenario(scenario, overrides=overrides, engine=engine, cell_edge=cell_edge)
 
     @classmethod
@@ -170,7 +171,7 @@ class Simulation(_hardball.Simulation):
         """
         if isinstance(saved, (bytes, bytearray, memoryview)):
             return cls._of(cls._loaded(bytes(saved)))
-        return cls._of(cls._load_file(os.fspath(saved)))
+        return cls._of(cls._load_file(path_text(saved, "saved")))
 
     @overload
     def save(self, path: None = ...) -> bytes: ...
@@ -181,13 +182,13 @@ class Simulation(_hardball.Simulation):
     def save(self, path: str | os.PathLike[str] | None = None) -> bytes | None:
         """Saves the whole state, with the measures, as bytes or to a file.
 
-        From either, `load` makes a simulation that continues to the same history. Listeners, custom responses and your
-        own attributes are not saved. `pickle` keeps custom responses and attributes, `copy` also listeners. The file
+        From either, `load` makes a simulation that continues to the same history. Listeners, custom responses and the
+        attributes of a subclass are not saved. `pickle` keeps custom responses and attributes, `copy` also listeners. The file
         is either unchanged or complete. Cost: O(size).
         """
         if path is None:
             return self._saved()
-        self._save_file(os.fspath(path))
+        self._save_file(path_text(path, "path"))
         return None
 
     def __copy__(self: Self) -> Self:

@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ._arguments import path_text
+
 if TYPE_CHECKING:
     from ._simulation import Simulation
 
@@ -31,12 +33,14 @@ class View:
     As the result of a notebook cell, it is shown inline.
     """
 
+    __slots__ = ("_page",)
+
     def __init__(self, page: bytes) -> None:
         self._page = page
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the page to a file, which any browser shows."""
-        Path(path).write_bytes(self._page)
+        Path(path_text(path, "path")).write_bytes(self._page)
 
     def open(self) -> Path:
         """Opens the page in the browser, if there is one, and returns its temporary file."""

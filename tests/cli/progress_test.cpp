@@ -15,6 +15,7 @@ namespace hardball::progress_test {
 namespace {
 
 using support::Arguments;
+using support::Outcome;
 using support::Program;
 using support::run_program;
 using support::ScratchFolder;
@@ -91,6 +92,50 @@ TEST_F(ProgressOnTerminal, IsNotShownIfQuiet) {
     EXPECT_EQ(shown.exit_code, 0);
     EXPECT_EQ(shown.text, "");
   }
+}
+
+// Errors and results are all that is left; a conversion has no other result than its file.
+TEST(Quiet, IsEveryCommand) {
+  const ScratchFolder folder;
+  write_text(folder / "gas.toml", gas_of(100) + "[output]\nsnapshots_every = 1e-3\ntrajectory = \"xyz\"\n");
+  // Of another box than the file's, and of so dense spheres that they grow into place: two reasons for notes.
+  write_text(folder / "start.toml",
+             "[box]\nsize = [130, 130, 130]\nboundary = [\"periodic\", \"periodic\", \"periodic\"]\n"
+             "[start]\nfile = \"out/trajectory.xyz\"\n[run]\nuntil = 1e-3\n");
+  write_text(folder / "dense.toml",
+             "[box]\npacking_fraction = 0.4\nboundary = [\"periodic\", \"periodic\", \"periodic\"]\n"
+             "[[spheres]]\ncount = 50\nradius = 0.5\nplacement = \"random\"\nspeed = 1\n"
+             "[run]\nuntil = 1e-3\n");
+  write_text(folder / "a.csv", "x,y,z,radius\n1,1,1,0.5\n");
+  const auto expect = [&](Arguments arguments, bool has_result, bool has_note) {
+    const Outcome loud = run_program(folder, arguments);
+    EXPECT_EQ(loud.exit_code, 0) << loud.messages;
+    EXPECT_EQ(loud.messages != "", has_note) << arguments.front() << ": " << loud.messages;
+    arguments.emplace_back("--quiet");
+    if (arguments.front() == "convert" || arguments.front() == "run") arguments.emplace_back("--overwrite");
+    const Outcome quiet = run_program(folder, arguments);
+    EXPECT_EQ(quiet.exit_code, 0) << quiet.messages;
+    EXPECT_EQ(quiet.messages, "") << arguments.front();
+    EXPECT_EQ(quiet.output != "", has_result) << arguments.front() << ": " << quiet.output;
+  };
+  expect({"run", "gas.toml", "--out", "out"}, true, false);
+  expect({"run", "start.toml"}, true, true);
+  expect({"run", "dense.toml"}, true, true);
+  expect({"resume", "out"}, false, true);
+  expect({"check", "dense.toml"}, true, true);
+  expect({"verify", "dense.toml"}, true, true);
+  expect({"tune", "dense.toml", "--budget", "0.1"}, true, true);
+  expect({"pack", "--count", "3", "--phi", "0.2"}, true, false);
+  expect({"convert", "out/trajectory.xyz", "b.csv"}, false, false);
+}
+
+TEST(NoCommand, PrintsHelp) {
+  const ScratchFolder folder;
+  const Outcome outcome = run_program(folder, {});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.messages, "");
+  EXPECT_EQ(outcome.output, run_program(folder, {"--help"}).output);
+  EXPECT_NE(outcome.output.find("Run a scenario"), std::string::npos) << outcome.output;
 }
 
 TEST_F(ProgressOnTerminal, LetsASignalEndTheSetUp) {

@@ -496,5 +496,45 @@ TEST(Verify, FindsOneHistoryOfABoxThatIsDisplacedByManyBoxes) {
   EXPECT_NE(outcome.output.find("all runs are the same"), std::string::npos) << outcome.output;
 }
 
+const std::string kDenseGas = R"([box]
+packing_fraction = 0.48
+boundary = ["periodic", "periodic", "wall"]
+[[spheres]]
+count = 200
+radius = 0.5
+placement = "random"
+temperature = 1.0
+[[spheres]]
+count = 400
+radius = 0.3
+placement = "random"
+temperature = 1.0
+[run]
+until = 1.0
+)";
+
+// Wherever a run is told about, so is that its spheres grew into place.
+TEST_F(Run, TellsThatSpheresGrewIntoPlace) {
+  use(kDenseGas);
+  const std::string note = "placed by growing spheres";
+  const Outcome table = run_program(folder_, {"run", "gas.toml"});
+  EXPECT_EQ(table.exit_code, 0) << table.messages;
+  EXPECT_NE(table.output.find(note), std::string::npos) << table.output;
+  EXPECT_NE(table.messages.find(note), std::string::npos) << table.messages;
+  const Outcome check = run_program(folder_, {"check", "gas.toml"});
+  EXPECT_NE(check.output.find(note), std::string::npos) << check.output;
+  const json whole = run_json({"--quiet"});
+  ASSERT_EQ(whole["notes"].size(), 1U);
+  EXPECT_NE(whole["notes"][0].get<std::string>().find(note), std::string::npos);
+  EXPECT_NEAR(whole["packing_fraction"].get<double>(), 0.48, 1e-12);
+  EXPECT_LT(whole["max_overlap"].get<double>(), 1e-12);
+  EXPECT_EQ(hash({"--threads", "2", "--quiet"}), whole["event_log_hash"]);
+  EXPECT_EQ(hash({"--engine", "all-pairs", "--quiet"}), whole["event_log_hash"]);
+  run({"--until", "0.5", "--out", "out", "--quiet"});
+  const Outcome resumed = run_program(folder_, {"resume", "out", "--until", "1", "--json"});
+  EXPECT_EQ(json::parse(resumed.output)["notes"], whole["notes"]) << resumed.messages;
+  EXPECT_EQ(json::parse(resumed.output)["event_log_hash"], whole["event_log_hash"]);
+}
+
 }  // namespace
 }  // namespace hardball::run_test

@@ -234,6 +234,17 @@ TEST_F(View, ReplaySaysWhatItHasWritten) {
   }
 }
 
+TEST_F(View, ReplayIsQuietIfItIsTold) {
+  write_text(folder_ / "dense.toml",
+             "[box]\npacking_fraction = 0.4\nboundary = [\"periodic\", \"periodic\", \"periodic\"]\n"
+             "[[spheres]]\ncount = 50\nradius = 0.5\nplacement = \"random\"\nspeed = 1\n"
+             "[run]\nuntil = 0.1\n");
+  EXPECT_NE(run_program(folder_, {"replay", "dense.toml", "--out", "loud.html"}).messages, "");
+  const Outcome quiet = run_program(folder_, {"replay", "dense.toml", "--out", "quiet.html", "--quiet"});
+  EXPECT_EQ(quiet.exit_code, 0);
+  EXPECT_EQ(quiet.output + quiet.messages, "");
+}
+
 TEST_F(View, ReplayReplacesAFileOnlyIfItIsTold) {
   write_text(folder_ / "mine.html", "mine");
   const Outcome outcome = run_program(folder_, {"replay", "gas.toml", "--out", "mine.html"});

@@ -136,6 +136,33 @@ TEST(PlaceRandomly, FindsTheLastRoom) {
   for (const int count : in_corner) EXPECT_NEAR(count, 50, 35);
 }
 
+TEST(PlaceRandomly, AvoidsSpheresThatAreThere) {
+  const Vec3 size{10, 10, 10};
+  const Box box = Box::periodic(size);
+  const std::vector<PlacedSphere> placed{{{0.5, 5, 5}, 2}, {{5, 5, 9.9}, 1}, {{5, 5, 2}, 0.01}};
+  std::vector<double> radii(4000, 0.25);  // together 0.30
+  Random random(11);
+  std::vector<Vec3> centers = place_randomly(box, {{}, size}, radii, random, "here", {}, IsAllowed(), placed);
+  ASSERT_EQ(centers.size(), radii.size());
+  for (const PlacedSphere& sphere : placed) {
+    centers.push_back(sphere.center);
+    radii.push_back(sphere.radius);
+  }
+  EXPECT_EQ(audit_of(box, centers, radii).max_overlap, 0);
+}
+
+TEST(FindRandomPlaces, FindsNoneWhereSpheresAreTooDense) {
+  const Vec3 size{10, 10, 10};
+  const Box box = Box::periodic(size);
+  Random random(12);
+  const std::vector<double> equal(750, 0.5);  // 0.39
+  EXPECT_FALSE(find_random_places(box, {{}, size}, equal, random, "here"));
+  std::vector<double> mixed(500, 0.5);
+  mixed.insert(mixed.end(), 600, 0.45);  // together 0.49
+  EXPECT_FALSE(find_random_places(box, {{}, size}, mixed, random, "here"));
+  EXPECT_THROW(place_randomly(box, {{}, size}, mixed, random, "here"), Error);
+}
+
 TEST(PlaceRandomly, KeepsToWhatIsAllowed) {
   const Vec3 size{10, 10, 10};
   const Box box = Box::walls(size);

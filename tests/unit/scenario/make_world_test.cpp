@@ -369,7 +369,7 @@ TEST(MakeWorld, RefusesWhatDoesNotFit) {
   EXPECT_TRUE(contains(error_of(scenario), "diameter 12 exceeds")) << error_of(scenario);
   scenario.spheres = {make_group(4000000000, VelocityRule::speed, 0)};
   EXPECT_TRUE(contains(error_of(scenario), "cannot exist")) << error_of(scenario);
-  scenario.spheres = {make_group(900, VelocityRule::speed, 0)};
+  scenario.spheres = {make_group(1200, VelocityRule::speed, 0)};  // 0.63
   EXPECT_TRUE(contains(error_of(scenario), "fcc")) << error_of(scenario);
 }
 
@@ -387,6 +387,26 @@ TEST(MakeWorld, RefusesToMixPlacements) {
   scenario.spheres = {make_group(5, VelocityRule::speed, 0), make_group(5, VelocityRule::speed, 0)};
   scenario.spheres[1].placement = Placement::fcc;
   EXPECT_TRUE(contains(error_of(scenario), "different ways")) << error_of(scenario);
+}
+
+TEST(MakeWorld, PlacesSpheresAroundThoseThatAreListed) {
+  for (const double radius : {0.27, 0.32}) {  // so dense that the random ones are placed at once, and grow
+    Scenario scenario = make_scenario(Boundary::periodic, 8);
+    scenario.spheres = {make_group(1800, VelocityRule::speed, 1), make_group(2, VelocityRule::listed, 0)};
+    scenario.spheres[0].radius = radius;
+    scenario.spheres[1].placement = Placement::listed;
+    scenario.spheres[1].positions = {{4, 4, 4}, {-1, 9, 4}};
+    scenario.spheres[1].velocities = {{0, 0, 1}, {2, 0, 0}};
+    scenario.spheres[1].radius = 1.5;
+    std::string notes;
+    const World world = make_world(scenario, {}, [&](const std::string& note) { notes += note; });
+    EXPECT_EQ(world.size(), 1802U);
+    EXPECT_EQ(world.path(1800).position, (Vec3{4, 4, 4}));
+    EXPECT_EQ(audit(world, Time(0)).max_overlap, 0);
+    EXPECT_EQ(contains(notes, "placed by growing spheres"), radius > 0.3) << notes;
+    std::swap(scenario.spheres[0], scenario.spheres[1]);
+    EXPECT_EQ(make_world(scenario).path(0).position, (Vec3{4, 4, 4}));
+  }
 }
 
 // Those who share a world have together what make_world makes, to the last bit.

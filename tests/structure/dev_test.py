@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""What ./dev says before it works: a copy of it in an empty folder, with tools that only say that they were called.
+
+usage: dev_test.py PROJECT_FOLDER
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT = Path(sys.argv.pop())
+TOOLS = {
+    "dpkg-query": "printf installed",
+    "npm": ":",
+    "cmake": 'echo "called: cmake $*"',
+    "ctest": 'echo "called: ctest $*"',
+    "clang-format-14": ":",
+    "setarch": "exit 1",
+}
+
+
+def run(*arguments):
+    """The lines that ./dev prints."""
+    with tempfile.TemporaryDirectory() as folder:
+        tools = Path(folder) / "tools"
+        tools.mkdir()
+        for name, script in TOOLS.items():
+            tool = tools / name
+            tool.write_text(f"#!/bin/sh\n{script}\n")
+            tool.chmod(0o755)
+        dev = shutil.copy(PROJECT / "dev", folder)
+        environment = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}"}
+        done = subprocess.run([dev, *arguments], env=environment, capture_output=True, text=True)
+    return done.stdout.splitlines()
+
+
+class Dev(unittest.TestCase):
+    def test_says_what_it_does_and_how_long_that_takes_before_it_begins(self):
+        for command, what in (("build", "program"), ("demo", "program"), ("python", "Python package"), ("test", "library")):
+            first = run(command)[0]
+            self.assertRegex(first, f"^dev: .*{what}.* minutes on two cores when nothing is built yet", command)
+
+    def test_python_says_where_the_package_is_before_it_tests_it_and_not_the_site(self):
+        lines = run("python")
+        tests = [line for line in lines if line.startswith("called: ctest")]
+        self.assertEqual(len(tests), 1, lines)
+        self.assertIn("-L ^python$", tests[0])
+        place = next(line for line in lines if "the Python package is in build/python" in line)
+        self.assertRegex(place, r"PYTHONPATH=/\S+/build/python /\S+python3$")
+        built = max(index for index, line in enumerate(lines) if line.startswith("called: cmake --build"))
+        self.assertLess(built, lines.index(place))
+        self.assertLess(lines.index(place), lines.index(tests[0]))
+        listed = (PROJECT / "python/CMakeLists.txt").read_text()
+        self.assertIn("set_tests_properties(site PROPERTIES LABELS site ", listed)
+
+
+if __name__ == "__main__":
+    unittest.main()
