@@ -201,10 +201,7 @@ Columns parse_properties(const Token& properties, const TextLocation& location) 
     throw Error("Properties has no column '" + std::string(known.name) + "'",
                 location.text(properties.offset), "add " + description(known));
   }
-  if (!columns.velocity && !columns.momenta) {
-    throw Error("Properties has no column 'velo'", location.text(properties.offset), "add velo:R:3");
-  }
-  if (!columns.velocity && !columns.mass && !columns.masses) {
+  if (columns.momenta && !columns.velocity && !columns.mass && !columns.masses) {
     throw Error("Properties has momenta, but no masses", location.text(properties.offset),
                 "add masses:R:1, or velo:R:3");
   }
@@ -412,6 +409,7 @@ Snapshot read_extended_xyz_frame(Lines& lines) {
     snapshot.time = parse_real(time->second.token, "Time", lines.location());
   }
   snapshot.box = box_of(pairs, lines.location());
+  snapshot.has_velocities = columns.velocity || columns.momenta;
   snapshot.has_spins = columns.spin.has_value();
   SpeciesNames names;
   for (std::size_t i = 0; i < count; ++i) {
@@ -423,7 +421,7 @@ Snapshot read_extended_xyz_frame(Lines& lines) {
     if (const auto mass = columns.mass ? columns.mass : columns.masses) sphere.mass = row.mass(*mass);
     if (columns.velocity) {
       sphere.velocity = row.vector(*columns.velocity, "velo");
-    } else {
+    } else if (columns.momenta) {
       const double mass = columns.masses ? row.real(*columns.masses, "masses") : sphere.mass;
       const Vec3 momentum = row.vector(*columns.momenta, "momenta");
       sphere.velocity = {momentum.x / mass, momentum.y / mass, momentum.z / mass};

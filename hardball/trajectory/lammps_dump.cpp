@@ -3,10 +3,12 @@
 #include "hardball/trajectory/lammps_dump.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
@@ -133,25 +135,96 @@ Header read_header(Lines& lines) {
   return header;
 }
 
+// Reads the line of the next sphere of a frame. Error: there is none.
+void need_sphere(Lines& lines, const Header& header, std::size_t found) {
+  if (!lines.next() || lines.line().starts_with(kItem)) report_end(lines, header.count, found);
+}
+
 void skip_lammps_frame(Lines& lines) {
   const Header header = read_header(lines);
-  for (std::size_t i = 0; i < header.count; ++i) {
-    if (!lines.next()) report_end(lines, header.count, i);
+  for (std::size_t i = 0; i < header.count; ++i) need_sphere(lines, header, i);
+}
+
+// The columns of a frame, and how positions are written in them.
+struct DumpColumns {
+  std::vector<Token> names;             // as SphereColumns calls them
+  std::array<bool, kAxes> is_scaled{};  // by the box
+  std::array<bool, kAxes> is_unfolded{};
+  std::vector<std::array<std::size_t, 2>> repeated;  // which column repeats which
+};
+
+DumpColumns dump_columns(std::vector<Token> names) {
+  DumpColumns columns;
+  const auto find = [&](const std::string& name) { return std::ranges::find(names, name, &Token::text); };
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto first = find(std::string(names[i].text));
+    const auto at = static_cast<std::size_t>(first - names.begin());
+    if (at == i) continue;
+    columns.repeated.push_back({at, i});
+    names[i].text = {};
+  }
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const std::string plain = kAxisNames[axis];
+    if (find(plain) != names.end()) continue;
+    for (const std::string_view kind : {"u", "s", "su"}) {
+      const auto found = find(plain + std::string(kind));
+      if (found == names.end()) continue;
+      found->text = kAxisNames[axis];
+      columns.is_scaled[axis] = kind.starts_with('s');
+      columns.is_unfolded[axis] = kind.ends_with('u');
+      break;
+    }
+  }
+  columns.names = std::move(names);
+  return columns;
+}
+
+// Error: columns of one name have different values.
+void check_repeated(const DumpColumns& columns, std::span<const Token> values, const TextLocation& location) {
+  for (const auto& [first, second] : columns.repeated) {
+    if (second >= values.size() || values[first].text == values[second].text) continue;
+    throw Error("column '" + shortened(columns.names[first].text) + "' appears twice, with other values",
+                location.text(values[second].offset), "remove one of the two");
+  }
+}
+
+// Makes lengths of coordinates that are fractions of the box.
+void unscale(const DumpColumns& columns, const SnapshotBox& box, Vec3& position) {
+  for (std::size_t axis = kAxes; axis-- > 0;) {
+    if (!columns.is_scaled[axis]) continue;
+    position[axis] = box.low[axis] + position[axis] * box.size[axis];
+    if (axis > 0 || box.tilt == 0) continue;
+    position.x += box.tilt * ((position.y - box.low.y) / box.size.y - 0.5);
   }
 }
 
 Snapshot read_lammps_frame(Lines& lines) {
   const Header header = read_header(lines);
   const std::string names(lines.line());
-  std::vector<Token> columns = tokens_of(names);
-  columns.erase(columns.begin(), columns.begin() + 2);  // ITEM: ATOMS
-  SphereColumns spheres(columns, lines.location());
+  std::vector<Token> tokens = tokens_of(names);
+  tokens.erase(tokens.begin(), tokens.begin() + 2);  // ITEM: ATOMS
+  const DumpColumns columns = dump_columns(std::move(tokens));
+  const bool is_scaled = std::ranges::find(columns.is_scaled, true) != columns.is_scaled.end();
+  if (is_scaled && !header.box) {
+    throw Error("positions are scaled by the box, and the frame has none", lines.location().text(),
+                "add ITEM: BOX BOUNDS before ITEM: ATOMS");
+  }
+  const SphereColumns spheres(columns.names, lines.location());
   Snapshot snapshot;
+  spheres.describe(snapshot);
   snapshot.time = header.time;
   snapshot.box = header.box;
   for (std::size_t i = 0; i < header.count; ++i) {
-    if (!lines.next()) report_end(lines, header.count, i);
-    spheres.add(tokens_of(lines.line()), lines.location(), snapshot);
+    need_sphere(lines, header, i);
+    const std::vector<Token> values = tokens_of(lines.line());
+    check_repeated(columns, values, lines.location());
+    spheres.add(values, lines.location(), snapshot);
+    if (is_scaled) unscale(columns, *snapshot.box, snapshot.spheres.back().position);
+  }
+  if (std::ranges::find(columns.is_unfolded, true) != columns.is_unfolded.end()) {
+    // The images of centers that are not folded are those that folding counts.
+    snapshot.images.clear();
+    fold_into_box(snapshot, lines.name());
   }
   return snapshot;
 }

@@ -19,9 +19,11 @@ void append_lammps_dump_spheres(const Snapshot& part, const AppendText& append);
 inline constexpr TextFrame kLammpsDump{append_lammps_dump, append_lammps_dump_head,
                                        append_lammps_dump_spheres};
 
-/// LAMMPS dumps in text, also those with ITEM: TIME. The columns `x y z vx vy vz` and `radius` or `diameter`
-/// are required. Error, located by file:line:column: a column is missing, the box is triclinic, a value is
-/// not a finite number, an id occurs twice, the last frame is incomplete.
+/// LAMMPS dumps in text, also those with ITEM: TIME, and those of LIGGGHTS. Required are a position for each
+/// axis, `x`, `xu` (not folded), `xs` (scaled by the box) or `xsu` (both), of several the first of these, and
+/// `radius` or `diameter`. Centers that are not folded are folded into the box. Of columns that stand twice,
+/// the first counts. Error, located by file:line:column: a column is missing, the box is triclinic, a value
+/// is not a finite number, an id occurs twice, columns of one name differ, the last frame is incomplete.
 TextFormat lammps_dump_format();
 
 }  // namespace hardball

@@ -18,7 +18,7 @@ namespace hardball {
 namespace {
 
 constexpr const char* kGiveArray =
-    "give a structured array with the fields x, y, z, vx, vy, vz and radius, or one of shape (N, 7)";
+    "give a structured array with the fields x, y, z and radius, or one of shape (N, 4) or (N, 7)";
 
 // A column of the array: where its number is in the items.
 struct Column {
@@ -45,9 +45,14 @@ void add_columns(const NpyField& field, std::vector<Column>& columns) {
   }
 }
 
-// The columns of an array without names, in order.
+// The columns of an array without names, in order: those without velocities and those with them.
+constexpr std::array<std::string_view, 4> kStillColumns{"x", "y", "z", "radius"};
 constexpr std::array<std::string_view, 9> kPlainColumns{"x",  "y",      "z",    "vx", "vy",
                                                         "vz", "radius", "mass", "id"};
+
+std::string_view plain_column(std::uint64_t columns, std::size_t index) {
+  return columns == kStillColumns.size() ? kStillColumns[index] : kPlainColumns[index];
+}
 
 std::uint64_t word_at(const char* item, const Column& column) {
   std::uint64_t word = 0;
@@ -96,7 +101,8 @@ NpySnapshotReader::NpySnapshotReader(const std::filesystem::path& path)
   }
   if (header_.is_structured()) return;
   constexpr std::uint64_t kLeastColumns = 7;
-  if (header_.shape[1] < kLeastColumns || header_.shape[1] > kPlainColumns.size()) {
+  const bool is_still = header_.shape[1] == kStillColumns.size();
+  if (!is_still && (header_.shape[1] < kLeastColumns || header_.shape[1] > kPlainColumns.size())) {
     throw Error("the array has " + to_text(header_.shape[1]) + " columns", path.string(), kGiveArray);
   }
 }
@@ -118,7 +124,7 @@ Snapshot NpySnapshotReader::read(std::size_t /*frame*/) {
       item_bytes *= header_.shape[1];
     }
     for (std::size_t i = 0; i < header_.shape[1]; ++i)
-      columns.push_back({kPlainColumns[i], field.kind, field.bytes, i * column_stride});
+      columns.push_back({plain_column(header_.shape[1], i), field.kind, field.bytes, i * column_stride});
   }
   std::vector<Token> names;
   for (const Column& column : columns) names.push_back({column.name, 0});
@@ -133,6 +139,7 @@ Snapshot NpySnapshotReader::read(std::size_t /*frame*/) {
     throw Error("the file has become shorter", name, kGiveArray);
 
   Snapshot snapshot;
+  of_sphere.describe(snapshot);
   snapshot.spheres.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::string location = name + ": item " + to_text(i);
