@@ -123,6 +123,7 @@ struct Columns {
   std::optional<std::size_t> masses;
   std::optional<std::size_t> id;
   std::optional<std::size_t> type;
+  std::optional<std::size_t> species;
   std::optional<std::size_t> species_name;
   std::optional<std::size_t> spin;
   std::optional<std::size_t> moment;
@@ -138,7 +139,7 @@ struct KnownColumn {
   std::optional<std::size_t> Columns::*column;
 };
 
-constexpr std::array<KnownColumn, 15> kKnownColumns{{
+constexpr std::array<KnownColumn, 16> kKnownColumns{{
     {"pos", "R", 3, true, &Columns::position},
     {"velo", "R", 3, false, &Columns::velocity},
     {"vel", "R", 3, false, &Columns::velocity},
@@ -150,6 +151,7 @@ constexpr std::array<KnownColumn, 15> kKnownColumns{{
     {"masses", "R", 1, false, &Columns::masses},
     {"id", "I", 1, false, &Columns::id},
     {"type", "I", 1, false, &Columns::type},
+    {"species_id", "I", 1, false, &Columns::species},
     {"species", "S", 1, false, &Columns::species_name},
     {"angular_velocity", "R", 3, false, &Columns::spin},
     {"moment", "R", 1, false, &Columns::moment},
@@ -426,7 +428,9 @@ Snapshot read_extended_xyz_frame(Lines& lines) {
       const Vec3 momentum = row.vector(*columns.momenta, "momenta");
       sphere.velocity = {momentum.x / mass, momentum.y / mass, momentum.z / mass};
     }
-    if (columns.type) {
+    if (columns.species) {
+      sphere.species = species_of_type(row.integer(*columns.species, "species_id"));
+    } else if (columns.type) {
       sphere.species = species_of_type(row.integer(*columns.type, "type"));
     } else if (columns.species_name) {
       sphere.species = names.species_of(row.text(*columns.species_name), lines.location());

@@ -16,6 +16,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/trajectory/append_text.hpp"
+#include "hardball/trajectory/sphere_types.hpp"
 
 namespace hardball {
 namespace {
@@ -26,12 +27,11 @@ double sphere_volume(double radius) {
 
 // --- writing ---
 
-std::string header(const Snapshot& snapshot) {
+std::string data_header(const Snapshot& snapshot, const SphereTypes& types) {
   const SnapshotBox box = box_of(snapshot);
-  int types = 1;
-  for (const Sphere& sphere : snapshot.spheres) types = std::max(types, sphere.species + 1);
   std::string text = "LAMMPS data file, atom style sphere, by Hardball\n\n" +
-                     to_text(snapshot.spheres.size()) + " atoms\n" + to_text(types) + " atom types\n\n";
+                     to_text(snapshot.spheres.size()) + " atoms\n" + to_text(types.count()) +
+                     " atom types\n\n";
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::string name = kAxisNames[axis];
     append_text(text, axis == 0 ? box.corner().x : box.low[axis]);
@@ -266,7 +266,8 @@ Snapshot read_data_file(Lines& lines) {
 }  // namespace
 
 void append_lammps_data(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendText& append) {
-  append(header(snapshot));
+  const SphereTypes types(snapshot.spheres);
+  append(data_header(snapshot, types));
   const std::vector<Sphere>& spheres = snapshot.spheres;
   if (spheres.empty()) return;
   std::int64_t least = snapshot.id(0);
@@ -278,7 +279,7 @@ void append_lammps_data(const Snapshot& snapshot, std::uint64_t /*frame*/, const
     const Sphere& sphere = spheres[i];
     line.clear();
     append_text(line, snapshot.id(i) + shift);
-    append_text(line, sphere.species + 1);
+    append_text(line, types.type_of(sphere) + 1);
     append_text(line, 2 * sphere.radius);
     append_text(line, std::min(sphere.mass, kLargestMagnitude) / sphere_volume(sphere.radius));
     append_text(line, sphere.position);

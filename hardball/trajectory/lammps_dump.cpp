@@ -25,7 +25,8 @@ const char* boundary_of(const SnapshotBox& box, std::size_t axis) {
   return box.is_unbounded ? " ss" : " ff";
 }
 
-std::string header(const Snapshot& snapshot, std::size_t spheres, std::uint64_t frame) {
+std::string dump_header(const Snapshot& snapshot, std::size_t spheres, const SphereTypes& types,
+                        std::uint64_t frame) {
   const SnapshotBox box = box_of(snapshot);
   std::string text = "ITEM: TIMESTEP\n" + to_text(frame) + "\nITEM: NUMBER OF ATOMS\n" + to_text(spheres) +
                      "\nITEM: BOX BOUNDS" + (box.tilt == 0 ? "" : " xy xz yz");
@@ -42,6 +43,7 @@ std::string header(const Snapshot& snapshot, std::size_t spheres, std::uint64_t 
     text.back() = '\n';
   }
   text += "ITEM: ATOMS id type x y z ix iy iz vx vy vz radius mass";
+  if (types.are_finer_than_species()) text += " species_id";
   if (snapshot.has_spins) text += " omegax omegay omegaz moment";
   return text + "\n";
 }
@@ -232,27 +234,31 @@ Snapshot read_lammps_frame(Lines& lines) {
 }  // namespace
 
 void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append) {
-  append_lammps_dump_head(snapshot, snapshot.spheres.size(), frame, append);
-  append_lammps_dump_spheres(snapshot, append);
+  const SphereTypes types(snapshot.spheres);
+  append_lammps_dump_head(snapshot, snapshot.spheres.size(), types, frame, append);
+  append_lammps_dump_spheres(snapshot, types, append);
 }
 
-void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, std::uint64_t frame,
-                             const AppendText& append) {
-  append(header(head, spheres, frame));
+void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
+                             std::uint64_t frame, const AppendText& append) {
+  append(dump_header(head, spheres, types, frame));
 }
 
-void append_lammps_dump_spheres(const Snapshot& snapshot, const AppendText& append) {
+void append_lammps_dump_spheres(const Snapshot& snapshot, const SphereTypes& types,
+                                const AppendText& append) {
+  const bool has_species = types.are_finer_than_species();
   std::string line;
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     const Sphere& sphere = snapshot.spheres[i];
     line.clear();
     append_text(line, snapshot.id(i));
-    append_text(line, sphere.species + 1);
+    append_text(line, types.type_of(sphere) + 1);
     append_text(line, sphere.position);
     append_text(line, snapshot.image(i));
     append_text(line, sphere.velocity);
     append_text(line, sphere.radius);
     append_text(line, sphere.mass);
+    if (has_species) append_text(line, sphere.species + 1);
     if (snapshot.has_spins) {
       append_text(line, sphere.spin);
       append_text(line, sphere.inertia_factor);

@@ -9,12 +9,12 @@
 namespace hardball {
 
 /// Appends a frame of a LAMMPS dump: `id type x y z ix iy iz vx vy vz radius mass` and, where spheres spin,
-/// `omegax omegay omegaz moment`. The time step is the number of the frame: the readers that users have
-/// understand no time.
+/// `omegax omegay omegaz moment`; where types are finer than species, `species_id`. The time step is the
+/// number of the frame: the readers that users have understand no time.
 void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
-void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, std::uint64_t frame,
-                             const AppendText& append);
-void append_lammps_dump_spheres(const Snapshot& part, const AppendText& append);
+void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
+                             std::uint64_t frame, const AppendText& append);
+void append_lammps_dump_spheres(const Snapshot& part, const SphereTypes& types, const AppendText& append);
 
 inline constexpr TextFrame kLammpsDump{append_lammps_dump, append_lammps_dump_head,
                                        append_lammps_dump_spheres};

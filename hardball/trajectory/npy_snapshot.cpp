@@ -13,6 +13,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/little_endian.hpp"
 #include "hardball/trajectory/sphere_columns.hpp"
+#include "hardball/trajectory/sphere_types.hpp"
 
 namespace hardball {
 namespace {
@@ -154,13 +155,16 @@ Snapshot NpySnapshotReader::read(std::size_t /*frame*/) {
 }
 
 void append_npy(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendText& append) {
-  std::string types =
+  const SphereTypes types(snapshot.spheres);
+  const bool has_species = types.are_finer_than_species();
+  std::string fields =
       "('id', '<i8'), ('type', '<i4'), ('x', '<f8'), ('y', '<f8'), ('z', '<f8'), ('vx', '<f8'), "
       "('vy', '<f8'), ('vz', '<f8'), ('radius', '<f8'), ('mass', '<f8'), ('ix', '<i4'), ('iy', '<i4'), "
       "('iz', '<i4')";
+  if (has_species) fields += ", ('species_id', '<i4')";
   if (snapshot.has_spins)
-    types += ", ('omegax', '<f8'), ('omegay', '<f8'), ('omegaz', '<f8'), ('moment', '<f8')";
-  std::string text = "{'descr': [" + types + "], 'fortran_order': False, 'shape': (" +
+    fields += ", ('omegax', '<f8'), ('omegay', '<f8'), ('omegaz', '<f8'), ('moment', '<f8')";
+  std::string text = "{'descr': [" + fields + "], 'fortran_order': False, 'shape': (" +
                      to_text(snapshot.spheres.size()) + ",), }";
   constexpr std::size_t kPrefix = 10;
   constexpr std::size_t kAlignment = 64;
@@ -175,7 +179,7 @@ void append_npy(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
     const Image image = snapshot.image(i);
     bytes.clear();
     append_little_endian(bytes, static_cast<std::uint64_t>(snapshot.id(i)));
-    append_little_endian(bytes, static_cast<std::uint32_t>(sphere.species + 1));
+    append_little_endian(bytes, static_cast<std::uint32_t>(types.type_of(sphere) + 1));
     for (const Vec3& vector : {sphere.position, sphere.velocity}) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) append_little_endian(bytes, vector[axis]);
     }
@@ -183,6 +187,7 @@ void append_npy(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
     append_little_endian(bytes, sphere.mass);
     for (std::size_t axis = 0; axis < kAxes; ++axis)
       append_little_endian(bytes, static_cast<std::uint32_t>(image[axis]));
+    if (has_species) append_little_endian(bytes, static_cast<std::uint32_t>(sphere.species + 1));
     if (snapshot.has_spins) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) append_little_endian(bytes, sphere.spin[axis]);
       append_little_endian(bytes, sphere.inertia_factor);

@@ -34,19 +34,21 @@ enum class SphereColumn {
   omegax,
   omegay,
   omegaz,
-  moment
+  moment,
+  species_id
 };
-inline constexpr std::size_t kSphereColumns = 18;
+inline constexpr std::size_t kSphereColumns = 19;
 
 /// Their names, in the order of SphereColumn.
 inline constexpr std::array<std::string_view, kSphereColumns> kSphereColumnNames{
-    "x",  "y",    "z",  "vx", "vy", "vz",     "radius", "diameter", "mass",
-    "id", "type", "ix", "iy", "iz", "omegax", "omegay", "omegaz",   "moment"};
+    "x",    "y",  "z",  "vx", "vy",     "vz",     "radius", "diameter", "mass",      "id",
+    "type", "ix", "iy", "iz", "omegax", "omegay", "omegaz", "moment",   "species_id"};
 
 /// Where the columns of a table are; others are ignored.
 ///
 /// Required are `x y z` and either `radius` or `diameter`. `vx vy vz` is the velocity; `mass` is 1 if not
-/// given; `omegax omegay omegaz` is the angular velocity; `type` counts from one.
+/// given; `omegax omegay omegaz` is the angular velocity; `type` counts from one, and is the species
+/// unless there is `species_id`, which counts from one, too.
 class SphereColumns {
  public:
   /// `where`: the place of the names. Error: a column is missing, or occurs twice.
@@ -71,7 +73,8 @@ class SphereColumns {
     if (has(vx)) sphere.velocity = vector(vx);
     sphere.radius = has(radius) ? real(at(radius)) : real(at(diameter)) / 2;
     if (has(mass)) sphere.mass = real(at(mass));
-    if (has(type)) sphere.species = species_of_type(integer(at(type)));
+    if (has(type) && !has(species_id)) sphere.species = species_of_type(integer(at(type)));
+    if (has(species_id)) sphere.species = species_of_type(integer(at(species_id)));
     if (has(omegax)) sphere.spin = vector(omegax);
     if (has(moment)) sphere.inertia_factor = real(at(moment));
     if (has(id)) snapshot.ids.push_back(integer(at(id)));

@@ -13,6 +13,7 @@
 #include "hardball/trajectory/append_text.hpp"
 #include "hardball/trajectory/column_names.hpp"
 #include "hardball/trajectory/sphere_columns.hpp"
+#include "hardball/trajectory/sphere_types.hpp"
 
 namespace hardball {
 namespace {
@@ -129,12 +130,13 @@ Snapshot read_table(Lines& lines) {
   char separator = separator_of(first, ";,\t");
   const std::vector<Token> values = values_of(first, separator, lines.location());
   bool is_there = true;
-  if (values.empty() || !is_number(std::string(values.front().text))) {
+  if (values.empty() || !is_number(std::string(next_token(values.front().text, 0).text))) {
     columns = columns_of(first, separator, lines.location());
     is_there = lines.next_text();
   } else if (columns) {
-    // Where tabs separate numbers, commas are in them.
+    // Where tabs separate numbers, commas are in them, and blanks may separate them, too.
     separator = separator_of(first, ";\t,");
+    if (separator == '\t') separator = ' ';
   } else {
     throw Error("the first line has numbers, and no line before it names the columns",
                 lines.location().text(), csv_format().remedy);
@@ -160,19 +162,22 @@ Snapshot read_table(Lines& lines) {
 }  // namespace
 
 void append_csv(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendText& append) {
-  append(snapshot.has_spins ? "id,type,x,y,z,vx,vy,vz,radius,mass,ix,iy,iz,omegax,omegay,omegaz,moment\n"
-                            : "id,type,x,y,z,vx,vy,vz,radius,mass,ix,iy,iz\n");
+  const SphereTypes types(snapshot.spheres);
+  const bool has_species = types.are_finer_than_species();
+  append(std::string("id,type,x,y,z,vx,vy,vz,radius,mass,ix,iy,iz") + (has_species ? ",species_id" : "") +
+         (snapshot.has_spins ? ",omegax,omegay,omegaz,moment" : "") + "\n");
   std::string line;
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     const Sphere& sphere = snapshot.spheres[i];
     line.clear();
     append_text(line, snapshot.id(i));
-    append_text(line, sphere.species + 1);
+    append_text(line, types.type_of(sphere) + 1);
     append_text(line, sphere.position);
     append_text(line, sphere.velocity);
     append_text(line, sphere.radius);
     append_text(line, sphere.mass);
     append_text(line, snapshot.image(i));
+    if (has_species) append_text(line, sphere.species + 1);
     if (snapshot.has_spins) {
       append_text(line, sphere.spin);
       append_text(line, sphere.inertia_factor);
