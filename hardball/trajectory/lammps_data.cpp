@@ -6,11 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
@@ -101,9 +102,9 @@ class DataFile {
   bool has_atoms_ = false;
   bool is_style_named_ = false;
   bool has_masses_ = false;
-  std::size_t values_ = 0;                                  // of the line of a sphere
-  std::unordered_map<std::int64_t, std::size_t> index_of_;  // by id
-  std::vector<bool> moves_;                                 // whether a sphere has a velocity
+  std::size_t values_ = 0;                        // of the line of a sphere
+  std::map<std::int64_t, std::size_t> index_of_;  // by id
+  std::vector<bool> moves_;                       // whether a sphere has a velocity
 };
 
 void DataFile::read_header_line() {

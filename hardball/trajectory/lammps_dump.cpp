@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -157,21 +158,20 @@ struct DumpColumns {
 
 DumpColumns dump_columns(std::vector<Token> names) {
   DumpColumns columns;
-  const auto find = [&](const std::string& name) { return std::ranges::find(names, name, &Token::text); };
+  std::map<std::string_view, std::size_t> first_of;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto first = find(std::string(names[i].text));
-    const auto at = static_cast<std::size_t>(first - names.begin());
-    if (at == i) continue;
-    columns.repeated.push_back({at, i});
+    const auto [first, is_new] = first_of.try_emplace(names[i].text, i);
+    if (is_new) continue;
+    columns.repeated.push_back({first->second, i});
     names[i].text = {};
   }
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::string plain = kAxisNames[axis];
-    if (find(plain) != names.end()) continue;
+    if (first_of.contains(plain)) continue;
     for (const std::string_view kind : {"u", "s", "su"}) {
-      const auto found = find(plain + std::string(kind));
-      if (found == names.end()) continue;
-      found->text = kAxisNames[axis];
+      const auto found = first_of.find(plain + std::string(kind));
+      if (found == first_of.end()) continue;
+      names[found->second].text = kAxisNames[axis];
       columns.is_scaled[axis] = kind.starts_with('s');
       columns.is_unfolded[axis] = kind.ends_with('u');
       break;
