@@ -69,6 +69,9 @@ constexpr std::array<VectorSynonym, 22> kVectors{
      {"angvel", kSpinNames},         {"i", kImageNames},
      {"image", kImageNames},         {"images", kImageNames}}};
 
+// From how many letters on a name is a word, which may also follow the component.
+constexpr std::size_t kWordLetters = 3;
+
 // Without a unit in brackets at its end; an index in brackets is none.
 std::string_view without_unit(std::string_view name) {
   if (!name.ends_with(']') && !name.ends_with(')')) return name;
@@ -129,6 +132,7 @@ std::vector<Token> known_columns(std::vector<Token> names, const TextLocation& w
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       renaming.rename(std::string(text) + "xyz"[axis], columns[axis]);
       if (!text.empty()) renaming.rename(std::string(text) + "012"[axis], columns[axis]);
+      if (text.size() >= kWordLetters) renaming.rename("xyz"[axis] + std::string(text), columns[axis]);
     }
   }
   return renaming.take();

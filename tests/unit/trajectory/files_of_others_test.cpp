@@ -296,6 +296,16 @@ INSTANTIATE_TEST_SUITE_P(
                   kTwoStill},
         OtherFile{"PandasMultipleColumns", "a.csv",
                   "diameter,posX,posY,posZ,velX,velY,velZ\n1,1,2,3,1,0,0\n0.5,4,5,6,0,-1,0\n", kTwo},
+        OtherFile{
+            "ComponentsFirst", "a.csv",
+            "X Position,Y Position,Z Position,X Velocity (m/s),Y Velocity (m/s),Z Velocity (m/s),Diameter "
+            "(m)\n1,2,3,1,0,0,1\n4,5,6,0,-1,0,0.5\n",
+            kTwo},
+        OtherFile{"Ovito", "a.csv",
+                  "\"Particle Identifier\",\"Particle Type\",\"Position.X\",\"Position.Y\",\"Position.Z\","
+                  "\"Radius\",\"Velocity.X\",\"Velocity.Y\",\"Velocity.Z\",\"Velocity Magnitude\"\n"
+                  "2,1,4,5,6,0.25,0,-1,0,1\n1,1,1,2,3,0.5,1,0,0,1\n",
+                  kTwo},
         OtherFile{"CommentsAndBlanks", "a.csv",
                   "# made by hand\n\nx, y,\tz , radius\n# the first\n1, 2,\t3 , 0.5\n\n4, 5, 6, 0.25\n",
                   kTwoStill},
