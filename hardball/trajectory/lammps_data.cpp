@@ -77,7 +77,8 @@ class DataFile {
       is_there = lines_.next_text();
     }
     while (is_there) is_there = read_section();
-    if (!has_atoms_) refuse("there is no section Atoms", kGiveSpheres);
+    const bool is_empty = count_ && *count_ == 0;
+    if (!has_atoms_ && !is_empty) refuse("there is no section Atoms", kGiveSpheres);
     finish_box();
     return std::move(snapshot_);
   }

@@ -197,6 +197,7 @@ INSTANTIATE_TEST_SUITE_P(
                   data("  Atoms  # sphere : by hand\n\n# three numbers\n" + kAtom + " # the first\n\n", "1",
                        "# the box\n" + kBox),
                   kStill},
+        OtherFile{"NoSpheres", "a.data", "title\n\n0 atoms\n1 atom types\n" + kBox, ""},
         OtherFile{"OtherSections", "a.data",
                   data("Masses # lj\n\n1 3.0\n2 4.0\n\nPair Coeffs # granular\n\n1 hertz 1 2\n\nAtoms # "
                        "sphere\n\n" +
