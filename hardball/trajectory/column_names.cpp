@@ -24,27 +24,27 @@ struct Synonym {
 };
 
 // For each column the plainest name first.
-constexpr std::array<Synonym, 21> kScalars{{{"radius", "radius"},
-                                            {"radii", "radius"},
-                                            {"rad", "radius"},
-                                            {"r", "radius"},
-                                            {"diameter", "diameter"},
-                                            {"diameters", "diameter"},
-                                            {"diam", "diameter"},
-                                            {"d", "diameter"},
-                                            {"mass", "mass"},
-                                            {"masses", "mass"},
-                                            {"m", "mass"},
-                                            {"id", "id"},
-                                            {"ids", "id"},
-                                            {"particleid", "id"},
-                                            {"particleidentifier", "id"},
-                                            {"atomid", "id"},
-                                            {"type", "type"},
-                                            {"types", "type"},
-                                            {"particletype", "type"},
-                                            {"moment", "moment"},
-                                            {"moments", "moment"}}};
+constexpr std::array<Synonym, 21> kScalarSynonyms{{{"radius", "radius"},
+                                                   {"radii", "radius"},
+                                                   {"rad", "radius"},
+                                                   {"r", "radius"},
+                                                   {"diameter", "diameter"},
+                                                   {"diameters", "diameter"},
+                                                   {"diam", "diameter"},
+                                                   {"d", "diameter"},
+                                                   {"mass", "mass"},
+                                                   {"masses", "mass"},
+                                                   {"m", "mass"},
+                                                   {"id", "id"},
+                                                   {"ids", "id"},
+                                                   {"particleid", "id"},
+                                                   {"particleidentifier", "id"},
+                                                   {"atomid", "id"},
+                                                   {"type", "type"},
+                                                   {"types", "type"},
+                                                   {"particletype", "type"},
+                                                   {"moment", "moment"},
+                                                   {"moments", "moment"}}};
 
 // The components of which vector a name stands for, if x, y or z, or the number of one, follows it.
 struct VectorSynonym {
@@ -56,7 +56,7 @@ constexpr std::array<std::string_view, kAxes> kPositionNames{"x", "y", "z"};
 constexpr std::array<std::string_view, kAxes> kVelocityNames{"vx", "vy", "vz"};
 constexpr std::array<std::string_view, kAxes> kSpinNames{"omegax", "omegay", "omegaz"};
 constexpr std::array<std::string_view, kAxes> kImageNames{"ix", "iy", "iz"};
-constexpr std::array<VectorSynonym, 22> kVectors{
+constexpr std::array<VectorSynonym, 22> kVectorSynonyms{
     {{"", kPositionNames},           {"pos", kPositionNames},
      {"position", kPositionNames},   {"positions", kPositionNames},
      {"point", kPositionNames},      {"points", kPositionNames},
@@ -127,8 +127,8 @@ class Renaming {
 
 std::vector<Token> known_columns(std::vector<Token> names, const TextLocation& where) {
   Renaming renaming(std::move(names), where);
-  for (const auto& [text, column] : kScalars) renaming.rename(std::string(text), column);
-  for (const auto& [text, columns] : kVectors) {
+  for (const auto& [text, column] : kScalarSynonyms) renaming.rename(std::string(text), column);
+  for (const auto& [text, columns] : kVectorSynonyms) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       renaming.rename(std::string(text) + "xyz"[axis], columns[axis]);
       if (!text.empty()) renaming.rename(std::string(text) + "012"[axis], columns[axis]);

@@ -67,7 +67,11 @@ bool is_heading(std::string_view line) {
 // What a file holds, as far as it has been read.
 class DataFile {
  public:
-  explicit DataFile(Lines& lines) : lines_(lines) {}
+  explicit DataFile(Lines& lines) : lines_(lines) {
+    snapshot_.has_velocities = false;
+    box_.is_periodic = {true, true, true};
+    box_.are_boundaries_known = false;
+  }
 
   Snapshot read() {
     // The first line is a title, whatever it says.
@@ -96,8 +100,8 @@ class DataFile {
   void finish_box();
 
   Lines& lines_;
-  Snapshot snapshot_{.has_velocities = false};
-  SnapshotBox box_{.is_periodic = {true, true, true}, .are_boundaries_known = false};
+  Snapshot snapshot_;
+  SnapshotBox box_;
   std::array<bool, kAxes> has_edge_{};
   std::optional<std::size_t> count_;
   bool has_atoms_ = false;
