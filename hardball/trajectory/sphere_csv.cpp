@@ -86,7 +86,8 @@ SphereColumns columns_of(const std::string& line, char separator, const TextLoca
   return {known_columns(values_of(line, separator, location), location), location};
 }
 
-// The columns that a comment names, as NumPy and YADE write them: `# x y z radius`, `#format x_y_z_r`.
+// The columns that a comment names, as NumPy and YADE write them: `# x y z radius`, `#format x_y_z_r`. A
+// comment that names none is prose.
 std::optional<SphereColumns> columns_in_comment(std::string_view line, const TextLocation& location) {
   std::string text(line);
   text[text.find(kComment)] = ' ';
@@ -96,14 +97,11 @@ std::optional<SphereColumns> columns_in_comment(std::string_view line, const Tex
     text.replace(first.offset, kFormat.size(), kFormat.size(), ' ');
     separator = '_';
   }
-  // Words, whose quotes need not end.
-  if (text.find('"') != std::string::npos) return std::nullopt;
-  const std::vector<Token> names = known_columns(values_of(text, separator, location), location);
-  const auto has = [&](std::string_view name) {
-    return std::ranges::find(names, name, &Token::text) != names.end();
-  };
-  if (!has("x") || !has("y") || !has("z") || (!has("radius") && !has("diameter"))) return std::nullopt;
-  return SphereColumns(names, location);
+  try {
+    return columns_of(text, separator, location);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
 }
 
 bool is_number(std::string text) {

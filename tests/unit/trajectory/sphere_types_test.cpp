@@ -93,7 +93,7 @@ TEST(SphereTypes, HaveNamesInGsdThatTellTheSpecies) {
 Snapshot mixture() {
   Snapshot snapshot;
   snapshot.spheres = kMixture;
-  snapshot.box = {.size = {10, 10, 10}, .is_periodic = {true, true, true}};
+  snapshot.box.emplace().size = {10, 10, 10};
   return snapshot;
 }
 
