@@ -183,7 +183,7 @@ std::string text_of(const SnapshotBox& box) {
     if (box.is_periodic[axis]) periodic += (periodic.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
   }
   if (!box.are_boundaries_known) {
-    periodic = ", without a word on boundaries";
+    periodic = ", boundaries not given";
   } else {
     periodic = periodic.empty() ? ", not periodic" : ", periodic along " + periodic;
   }

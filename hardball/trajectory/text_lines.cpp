@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::streamsize kLongestLine = 1 << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kLittleEndianMark = "\xFF\xFE";
+constexpr std::string_view kBigEndianMark = "\xFE\xFF";
 constexpr const char* kRemedyOfCut = "remove the incomplete frame, or convert an earlier one with --frame";
 
 }  // namespace
@@ -89,7 +91,10 @@ bool Lines::next_of_any_kind() {
   }
   // The end of the line is read, but not stored; the last line may lack it.
   line_ = {buffer_.get(), in_->eof() ? read : read - 1};
-  if (number_ == 1 && line_.starts_with(kByteOrderMark)) line_.remove_prefix(kByteOrderMark.size());
+  if (number_ > 1) return true;
+  if (line_.starts_with(kLittleEndianMark) || line_.starts_with(kBigEndianMark))
+    throw Error("the text is encoded in UTF-16", location().text(), "save it in UTF-8");
+  if (line_.starts_with(kByteOrderMark)) line_.remove_prefix(kByteOrderMark.size());
   return true;
 }
 

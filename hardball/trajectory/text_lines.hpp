@@ -76,7 +76,8 @@ class Lines {
   /// counted, but passed over.
   Lines(std::unique_ptr<std::istream> in, std::string name, char comment_mark = '\0');
 
-  /// Reads the next line; false at the end. Error: a line is longer than a megabyte.
+  /// Reads the next line; false at the end. Error: a line is longer than a megabyte; the text is encoded in
+  /// UTF-16.
   bool next();
   /// Reads on to a line that is not blank; false at the end.
   bool next_text();

@@ -329,6 +329,7 @@ INSTANTIATE_TEST_SUITE_P(
     Tables, RefusedFile,
     testing::Values(
         BadFile{"NoNames", "a.csv", "1,2,3,0.5\n", ":1", "no line before it names", "x,y,z,radius"},
+        BadFile{"Utf16", "a.txt", std::string("\xFF\xFEx\0\t\0y\0", 8), ":1", "UTF-16", "UTF-8"},
         BadFile{"OnlyComments", "a.csv", "# x,y,z,radius\n", ":1", "only comments", "names the columns"},
         BadFile{"NoRadius", "a.csv", "x,y,z\n1,2,3\n", ":1", "no column 'radius'", "radius"},
         BadFile{"HalfAVelocity", "a.csv", "x,y,z,vx,radius\n1,2,3,4,5\n", ":1", "no column 'vy'",
@@ -423,7 +424,7 @@ TEST(FilesOfOthers, DoNotSayAlongWhichAxesABoxIsPeriodicInDataOfLammps) {
   EXPECT_EQ(snapshot.box->tilt, 2.5);
   EXPECT_EQ(snapshot.box->corner(), (Vec3{0, -5, 0}));
   EXPECT_EQ(snapshot.box->size, (Vec3{10, 10, 20}));
-  EXPECT_NE(text_of(*snapshot.box).find("without a word on boundaries"), std::string::npos);
+  EXPECT_NE(text_of(*snapshot.box).find("boundaries not given"), std::string::npos);
 }
 
 // Frames before one that is damaged can be read, and only that one is refused.
