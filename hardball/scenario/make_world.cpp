@@ -376,11 +376,30 @@ bool is_box_of(const Scenario& scenario, const SnapshotBox& box) {
          std::fabs(beyond) <= kSingle * box.size.x;
 }
 
+// The distance from a point to the nearest wall or surface; negative beyond it, and infinite if there are
+// none.
+double distance_to_walls(const World& world, const Vec3& position) {
+  double distance = distance_to_surfaces(world, position, Time(0));
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_wall(axis)) continue;
+    distance = std::min({distance, position[axis], world.box().size()[axis] - position[axis]});
+  }
+  return distance;
+}
+
 void add_all(const Scenario& scenario, const Snapshot& snapshot, World& world) {
   const std::string name = scenario.start_file->string();
   world.reserve(snapshot.spheres.size());
-  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i)
-    add(world, snapshot.spheres[i], snapshot.location(name, i));
+  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
+    const Sphere& sphere = snapshot.spheres[i];
+    try {
+      add(world, sphere, snapshot.location(name, i));
+    } catch (const Error& error) {
+      const double room = distance_to_walls(world, sphere.position);
+      if (scenario.shrinks_start || !(room > 0 && room < sphere.radius)) throw;
+      throw Error(error.problem(), error.where(), error.remedy() + ", or write shrink = true in [start]");
+    }
+  }
 }
 
 void scale_radii(double factor, Snapshot& snapshot) {
@@ -392,12 +411,7 @@ void scale_radii(double factor, Snapshot& snapshot) {
 double factor_between_walls(const World& empty, const Snapshot& snapshot) {
   double factor = 1;
   for (const Sphere& sphere : snapshot.spheres) {
-    double room = distance_to_surfaces(empty, sphere.position, Time(0));
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      if (!empty.box().is_wall(axis)) continue;
-      room = std::min({room, sphere.position[axis], empty.box().size()[axis] - sphere.position[axis]});
-    }
-    factor = std::min(factor, room / sphere.radius);
+    factor = std::min(factor, distance_to_walls(empty, sphere.position) / sphere.radius);
   }
   return factor;
 }

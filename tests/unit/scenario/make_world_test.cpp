@@ -397,6 +397,7 @@ TEST(MakeWorld, ShrinksSpheresThatReachThroughWallsIfAsked) {
   Scenario scenario = make_scenario(Boundary::wall, 10);
   scenario.start_file = folder / "start.csv";
   EXPECT_TRUE(contains(error_of(scenario), "reaches through a wall")) << error_of(scenario);
+  EXPECT_TRUE(contains(error_of(scenario), "shrink = true in [start]")) << error_of(scenario);
   scenario.shrinks_start = true;
   const World world = make_world(scenario);
   EXPECT_EQ(audit(world, Time(0)).max_escape, 0);
