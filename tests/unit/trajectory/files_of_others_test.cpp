@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/little_endian.hpp"
 #include "hardball/io/zstd.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
@@ -474,6 +475,18 @@ TEST(FilesOfOthers, MayBeCompressed) {
   EXPECT_EQ(spheres_of(read_snapshot(folder / "a.sph.zst")), spheres);
   write_text(folder / "a.data.zst", compressed(data("Atoms\n\n" + kAtom + "\n")));
   EXPECT_EQ(spheres_of(read_snapshot(folder / "a.data.zst")), kStill);
+}
+
+TEST(FilesOfOthers, MayBeNumPyArraysWithoutVelocities) {
+  const ScratchFolder folder;
+  const std::string text = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 4)}\n";
+  std::string bytes = "\x93NUMPY";
+  bytes += {'\x01', '\x00'};
+  append_little_endian(bytes, static_cast<std::uint16_t>(text.size()));
+  bytes += text;
+  for (const double number : {1.0, 2.0, 3.0, 0.5, 4.0, 5.0, 6.0, 0.25}) append_little_endian(bytes, number);
+  write_text(folder / "a.npy", bytes);
+  EXPECT_EQ(spheres_of(read_snapshot(folder / "a.npy")), kTwoStill);
 }
 
 TEST(FilesOfOthers, HaveAFormatByTheirName) {

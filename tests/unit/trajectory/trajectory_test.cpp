@@ -420,7 +420,7 @@ TEST(Trajectory, ReadsTiltedCells) {
   const World world = world_in_shear();
   const Snapshot written = snapshot_of(world, Time(7));
   ASSERT_NE(written.box->tilt, 0);
-  for (const char* name : {"tilted.xyz", "tilted.lammpstrj", "tilted.gsd"}) {
+  for (const char* name : {"tilted.xyz", "tilted.lammpstrj", "tilted.gsd", "tilted.data"}) {
     SCOPED_TRACE(name);
     Trajectory(folder / name).append(world, Time(7));
     const Snapshot read = open_snapshots(folder / name)->read(0);
