@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@ namespace hardball {
 /// kinds: radii from a continuous distribution are no types.
 class HARDBALL_EXPORT SphereTypes {
  public:
+  /// The largest number of kinds that are types.
   static constexpr std::size_t kMostKinds = 32;
 
   SphereTypes() = default;
@@ -34,7 +36,7 @@ class HARDBALL_EXPORT SphereTypes {
   std::size_t count() const;
   /// The type of a sphere, from 0 on. Precondition: it is accounted for.
   std::size_t type_of(const Sphere& sphere) const;
-  /// The species of a type.
+  /// The species of a type. Precondition: there is such a type.
   SpeciesId species_of(std::size_t type) const;
 
   static void persist(auto& archive, auto& self) {
