@@ -47,8 +47,9 @@ std::vector<Token> tokens_of(std::string_view line) {
 double parse_real(const Token& token, std::string_view name, const TextLocation& location) {
   double number = 0;
   if (parse(token.text, number) && std::isfinite(number)) return number;
+  const bool has_comma = token.text.find(',') != std::string_view::npos;
   throw Error(std::string(name) + " is '" + shortened(token.text) + "'", location.text(token.offset),
-              "give a finite number");
+              has_comma ? "give a finite number, with a point before its decimals" : "give a finite number");
 }
 
 std::int64_t parse_integer(const Token& token, std::string_view name, const TextLocation& location) {

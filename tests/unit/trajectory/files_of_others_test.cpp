@@ -338,7 +338,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"DecimalCommas", "a.csv", "x,y,z,radius\n1,0,2,0,3,0,0,5\n", ":2", "8 values for 4 columns",
                 "decimals need points"},
         BadFile{"QuotedDecimalComma", "a.csv", "x,y,z,radius\n\"1,0\",2,3,5\n", ":2:2", "x is '1,0'",
-                "number"},
+                "a point before its decimals"},
         BadFile{"ThousandsAndDecimals", "a.csv", "x;y;z;radius\n1.000,5;2;3;5\n", ":2:1", "x is", "number"},
         BadFile{"TooFew", "a.csv", "x,y,z,radius\n1,2,3\n", ":2", "3 values for 4 columns",
                 "for each column"},
