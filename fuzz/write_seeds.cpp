@@ -28,10 +28,11 @@ using support::RandomWorld;
 constexpr std::uint64_t kSeeds = 15;
 
 // The targets that read snapshots, and how the names of such files end.
-constexpr std::array<std::pair<const char*, const char*>, 7> kSnapshots{{{"extended_xyz", ".xyz"},
+constexpr std::array<std::pair<const char*, const char*>, 8> kSnapshots{{{"extended_xyz", ".xyz"},
                                                                          {"extended_xyz_zst", ".xyz.zst"},
                                                                          {"gsd", ".gsd"},
                                                                          {"lammps", ".lammpstrj"},
+                                                                         {"lammps_data", ".data"},
                                                                          {"csv", ".csv"},
                                                                          {"npy", ".npy"},
                                                                          {"sph", ".sph"}}};

@@ -314,6 +314,7 @@ class DistributedRun {
     Snapshot head = head_of_snapshot();
     head.time = time;
     const std::vector<std::vector<Traveler>> own = simulation_.own_blocks();
+    const SphereTypes types = types_of_all(own);
     for (std::size_t k = 0; k < scenario_.trajectories.size(); ++k) {
       if (!takes_parts(scenario_.trajectories[k])) {
         in_first(processes_, [&] {
@@ -336,7 +337,7 @@ class DistributedRun {
       };
       in_all(processes_, [&] {
         try {
-          if (files_) files_->write_snapshot(k, {head, simulation_.size(), next});
+          if (files_) files_->write_snapshot(k, {head, simulation_.size(), types, next});
         } catch (const RunFailure&) {
           blocks.complete();
           throw;
@@ -344,6 +345,20 @@ class DistributedRun {
         blocks.complete();
       });
     }
+  }
+
+  SphereTypes types_of_all(const std::vector<std::vector<Traveler>>& own) {
+    SphereTypes types;
+    for (const std::vector<Traveler>& block : own) {
+      for (const auto& [state, contacts] : block) types.add(state.species, state.radius, state.mass);
+    }
+    SphereTypes all;
+    for (const std::string& bytes : processes_.gather(archived(types))) {
+      SphereTypes of_process;
+      restore(bytes, "types of spheres", of_process);
+      all.add(of_process);
+    }
+    return all;
   }
 
   // All but the spheres.

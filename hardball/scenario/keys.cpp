@@ -306,20 +306,28 @@ TableDescription start_keys() {
           {.name = "file",
            .type = text,
            .is_required = true,
-           .meaning = "a file with spheres, whose last frame is used: extended XYZ (`.xyz`, `.xyz.zst`), GSD "
-                      "(`.gsd`), LAMMPS dump (`.lammpstrj`), CSV (`.csv`), NumPy (`.npy`) or the format of "
-                      "Smallenburg's EDMD codes (`.sph`); its path is relative to the scenario",
+           .meaning = "a file with spheres, whose last frame is used: extended XYZ (`.xyz`), GSD (`.gsd`), "
+                      "LAMMPS dump (`.lammpstrj`), LAMMPS data file (`.data`), CSV (`.csv`), NumPy (`.npy`) "
+                      "or the format of Smallenburg's EDMD codes (`.sph`); text may be compressed (`.zst`); "
+                      "its path is relative to the scenario",
            .example = "\"start.xyz\""},
           {.name = "mean_speed",
            .range = not_negative,
            .dimension = "L/T",
-           .meaning = "of a file without velocities, `.sph`: Maxwell velocities with this mean of |v|",
+           .meaning = "for spheres that have no velocities, or are all at rest: Maxwell velocities with this "
+                      "mean of |v|",
            .example = "1.0"},
           {.name = "temperature",
            .range = not_negative,
            .dimension = "M L²/T²",
-           .meaning = "or: Maxwell velocities with this kT; the masses are 1",
-           .example = "1.0"}}};
+           .meaning = "or: Maxwell velocities with this kT; masses that the file does not give are 1",
+           .example = "1.0"},
+          {.name = "shrink",
+           .type = truth,
+           .default_value = "false",
+           .meaning = "whether all radii are multiplied by the largest factor, up to 1, at which no spheres "
+                      "overlap and none reaches through a wall; the run says by which",
+           .example = "true"}}};
 }
 
 TableDescription restitution_keys() {

@@ -19,7 +19,11 @@ Simulation make_simulation(const Scenario& scenario, World start, const EngineOp
     const bool is_of_options =
         (options.cell_edge && error.where() == "cell edge") || error.where() == "threads";
     if (is_of_options) throw;
-    throw Error(error.problem(), scenario.name + ": " + error.where(), error.remedy());
+    // Spheres whose bonds are too long would not become closer.
+    const bool could_shrink = error.where() == "start state" && scenario.start_file &&
+                              !scenario.shrinks_start && !scenario.has_steps();
+    throw Error(error.problem(), scenario.name + ": " + error.where(),
+                error.remedy() + (could_shrink ? ", as shrink = true in [start] does with all" : ""));
   }
 }
 

@@ -17,6 +17,7 @@
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/velocities.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
+#include "hardball/world/audit.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -321,29 +322,37 @@ std::vector<Sphere> make_wanted(const Scenario& scenario, const World& empty,
   return wanted;
 }
 
-// Gives the spheres of a file without velocities those of the scenario.
+// Gives the spheres of a file without velocities, or at rest, those of the scenario; kinematic ones stay at
+// rest.
 void complete_velocities(const Scenario& scenario, const Box& box, const std::string& name,
                          Snapshot& snapshot) {
   const bool are_given = scenario.start_velocity_rule.has_value();
-  if (snapshot.has_velocities && are_given) {
+  const bool is_any_moving =
+      std::ranges::any_of(snapshot.spheres, [](const Sphere& sphere) { return sphere.velocity != Vec3{}; });
+  if (is_any_moving && are_given) {
     throw Error("the file has velocities, and the scenario gives others", name,
                 "remove temperature and mean_speed from [start]");
   }
-  if (snapshot.has_velocities) return;
   if (!are_given) {
+    if (snapshot.has_velocities) return;
     throw Error("the file has no velocities", name,
                 "add temperature or mean_speed to [start], zero for rest");
   }
   SphereGroup group;
   group.dimensions = box.dimensions();
-  group.count = snapshot.spheres.size();
   group.velocity_rule = *scenario.start_velocity_rule;
   group.velocity_scale = scenario.start_velocity_scale;
+  for (const Sphere& sphere : snapshot.spheres) {
+    if (std::isfinite(sphere.mass)) group.masses.push_back(sphere.mass);
+  }
+  group.count = group.masses.size();
   Random random(scenario.seed);
   const std::vector<Vec3> velocities =
       draw_velocities(std::span(&group, 1), box.is_all(Boundary::periodic), random);
-  for (std::size_t i = 0; i < velocities.size(); ++i)
-    snapshot.spheres[i].velocity = in_flow(box, snapshot.spheres[i].position, velocities[i]);
+  auto next = velocities.begin();
+  for (Sphere& sphere : snapshot.spheres) {
+    if (std::isfinite(sphere.mass)) sphere.velocity = in_flow(box, sphere.position, *next++);
+  }
 }
 
 // The scenario, its box displaced as the tilt of the start file's box says.
@@ -369,7 +378,7 @@ bool is_box_of(const Scenario& scenario, const SnapshotBox& box) {
   if (box.is_flat != (scenario.dimensions() == 2)) return false;
   for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
     const auto& [boundary, size] = scenario.box[axis];
-    if (box.is_periodic[axis] != (boundary == Boundary::periodic)) return false;
+    if (box.are_boundaries_known && box.is_periodic[axis] != (boundary == Boundary::periodic)) return false;
     const bool has_size = boundary == Boundary::periodic || (boundary == Boundary::wall && !box.is_unbounded);
     if (has_size && !is_near(box.size[axis], size.value_or(0))) return false;
     // Where it is periodic, it may begin anywhere.
@@ -381,6 +390,75 @@ bool is_box_of(const Scenario& scenario, const SnapshotBox& box) {
          std::fabs(beyond) <= kSingle * box.size.x;
 }
 
+// The distance from a point to the nearest wall or surface; negative beyond it, and infinite if there are
+// none.
+double distance_to_walls(const World& world, const Vec3& position) {
+  double distance = distance_to_surfaces(world, position, Time(0));
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_wall(axis)) continue;
+    distance = std::min({distance, position[axis], world.box().size()[axis] - position[axis]});
+  }
+  return distance;
+}
+
+void add_all(const Scenario& scenario, const Snapshot& snapshot, World& world) {
+  const std::string name = scenario.start_file->string();
+  world.reserve(snapshot.spheres.size());
+  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
+    const Sphere& sphere = snapshot.spheres[i];
+    try {
+      add(world, sphere, snapshot.location(name, i));
+    } catch (const Error& error) {
+      const double room = distance_to_walls(world, sphere.position);
+      if (scenario.shrinks_start || !(room > 0 && room < sphere.radius)) throw;
+      throw Error(error.problem(), error.where(), error.remedy() + ", or write shrink = true in [start]");
+    }
+  }
+}
+
+void scale_radii(double factor, Snapshot& snapshot) {
+  for (Sphere& sphere : snapshot.spheres) sphere.radius *= factor;
+}
+
+// The largest factor, up to one, by which the radii can be multiplied so that no sphere reaches through a
+// wall.
+double factor_between_walls(const World& empty, const Snapshot& snapshot) {
+  double factor = 1;
+  for (const Sphere& sphere : snapshot.spheres) {
+    factor = std::min(factor, distance_to_walls(empty, sphere.position) / sphere.radius);
+  }
+  return factor;
+}
+
+// Multiplies the radii by the largest factor, up to one, at which no spheres overlap and none reaches through
+// a wall.
+void shrink(const Scenario& scenario, const World& empty, Snapshot& snapshot, const OnNote& on_note) {
+  const std::string name = scenario.start_file->string();
+  const auto need_positive = [&](double factor) {
+    if (factor > 0) return;
+    throw Error("no radius is so small that its spheres do not overlap", name,
+                "move centers apart that coincide, and inside the walls");
+  };
+  // So that products round to no more than they should be.
+  constexpr double kBelow = 1 - 4 * std::numeric_limits<double>::epsilon();
+  double factor = factor_between_walls(empty, snapshot);
+  if (factor < 1) factor *= kBelow;
+  need_positive(factor);
+  scale_radii(factor, snapshot);
+  World trial = empty;
+  add_all(scenario, snapshot, trial);
+  set_interactions(scenario, trial);
+  const double overlap = audit(trial, Time(0)).max_overlap;
+  if (overlap > 0) {
+    need_positive(1 - overlap);
+    scale_radii((1 - overlap) * kBelow, snapshot);
+    factor *= (1 - overlap) * kBelow;
+  }
+  if (factor == 1 || !on_note) return;
+  on_note("all radii of " + name + " were multiplied by " + to_text(factor) + ", " + to_text(1 - factor) +
+          " less than one, so that no spheres overlap");
+}
+
 World make_from_file(const Scenario& scenario, const OnNote& on_note) {
   const std::filesystem::path& file = *scenario.start_file;
   Snapshot snapshot = read_snapshot(file);
@@ -389,10 +467,8 @@ World make_from_file(const Scenario& scenario, const OnNote& on_note) {
   if (snapshot.spheres.empty()) {
     throw Error("the last frame holds no spheres", file.string(), "give at least one sphere");
   }
-  world.reserve(snapshot.spheres.size());
-  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
-    add(world, snapshot.spheres[i], snapshot.location(file.string(), i));
-  }
+  if (scenario.shrinks_start) shrink(scenario, world, snapshot, on_note);
+  add_all(scenario, snapshot, world);
   if (on_note && snapshot.box && !is_box_of(scenario, *snapshot.box)) {
     on_note("the box of " + file.string() + ", " + text_of(*snapshot.box) +
             ", is not that of [box], which is used");

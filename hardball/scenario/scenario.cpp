@@ -154,6 +154,8 @@ void read_start(const Section& root, Scenario& scenario) {
                   error.remedy());
     }
     read_start_velocities(*start, scenario);
+    const std::optional<Value> shrink = start->find("shrink");
+    scenario.shrinks_start = shrink && shrink->truth();
     return;
   }
   if (groups.empty()) throw Error("there are no spheres", scenario.name, "add [[spheres]] or [start]");
@@ -325,6 +327,7 @@ bool Scenario::has_merging() const {
 
 double SphereGroup::mass_of(std::size_t index) const {
   if (is_kinematic) return std::numeric_limits<double>::infinity();
+  if (!masses.empty()) return masses[index];
   if (!density) return mass;
   const double radius_of_it = radius_of(index);
   if (dimensions == 2) return *density * std::numbers::pi * radius_of_it * radius_of_it;

@@ -48,7 +48,8 @@ struct HARDBALL_EXPORT SphereGroup {
   double radius = 1;                               ///< Of all, unless they are distributed [L].
   std::optional<RadiusDistribution> distribution;  ///< Of the radii.
   std::vector<double> radii;      ///< Shape (count) once they are drawn, otherwise empty [L].
-  double mass = 1;                ///< Of all, unless there is a density [M].
+  double mass = 1;                ///< Of all, unless there is a density, or each has its own [M].
+  std::vector<double> masses;     ///< Shape (count) of spheres that have each their own, otherwise empty [M].
   std::optional<double> density;  ///< Of the material, from which masses follow [M/L^3]; of discs [M/L^2].
   Placement placement = Placement::random;
   std::vector<Vec3> positions;  ///< Shape (count, 3) for Placement::listed, otherwise empty [L].
@@ -160,7 +161,9 @@ struct HARDBALL_EXPORT Scenario {
   std::optional<std::filesystem::path> start_file;  ///< A file with snapshots, instead of `spheres`.
   /// Of the spheres of a start file that has no velocities: the mean speed or the temperature.
   std::optional<VelocityRule> start_velocity_rule;
-  double start_velocity_scale = 0;          ///< What that rule prescribes.
+  double start_velocity_scale = 0;  ///< What that rule prescribes.
+  /// Whether all radii of a start file are multiplied by the largest factor at which no spheres overlap.
+  bool shrinks_start = false;
   std::vector<SpeciesDescription> species;  ///< Named by their index; none if all spheres are alike.
   BounceRules bounce;                       ///< Of all contacts that `pairs` does not name.
   /// Whether spheres come to rest in a heap, and the run then only waits for its end.

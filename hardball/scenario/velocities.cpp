@@ -39,7 +39,7 @@ Vec3 draw(const SphereGroup& group, std::size_t index, Random& random) {
 }
 
 double total_mass(const SphereGroup& group) {
-  if (!group.density) return group.mass * static_cast<double>(group.count);
+  if (!group.density && group.masses.empty()) return group.mass * static_cast<double>(group.count);
   double mass = 0;
   for (std::size_t i = 0; i < group.count; ++i) mass += group.mass_of(i);
   return mass;

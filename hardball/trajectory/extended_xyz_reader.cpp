@@ -123,6 +123,7 @@ struct Columns {
   std::optional<std::size_t> masses;
   std::optional<std::size_t> id;
   std::optional<std::size_t> type;
+  std::optional<std::size_t> species;
   std::optional<std::size_t> species_name;
   std::optional<std::size_t> spin;
   std::optional<std::size_t> moment;
@@ -138,7 +139,7 @@ struct KnownColumn {
   std::optional<std::size_t> Columns::*column;
 };
 
-constexpr std::array<KnownColumn, 15> kKnownColumns{{
+constexpr std::array<KnownColumn, 16> kKnownColumns{{
     {"pos", "R", 3, true, &Columns::position},
     {"velo", "R", 3, false, &Columns::velocity},
     {"vel", "R", 3, false, &Columns::velocity},
@@ -150,6 +151,7 @@ constexpr std::array<KnownColumn, 15> kKnownColumns{{
     {"masses", "R", 1, false, &Columns::masses},
     {"id", "I", 1, false, &Columns::id},
     {"type", "I", 1, false, &Columns::type},
+    {"species_id", "I", 1, false, &Columns::species},
     {"species", "S", 1, false, &Columns::species_name},
     {"angular_velocity", "R", 3, false, &Columns::spin},
     {"moment", "R", 1, false, &Columns::moment},
@@ -201,10 +203,7 @@ Columns parse_properties(const Token& properties, const TextLocation& location) 
     throw Error("Properties has no column '" + std::string(known.name) + "'",
                 location.text(properties.offset), "add " + description(known));
   }
-  if (!columns.velocity && !columns.momenta) {
-    throw Error("Properties has no column 'velo'", location.text(properties.offset), "add velo:R:3");
-  }
-  if (!columns.velocity && !columns.mass && !columns.masses) {
+  if (columns.momenta && !columns.velocity && !columns.mass && !columns.masses) {
     throw Error("Properties has momenta, but no masses", location.text(properties.offset),
                 "add masses:R:1, or velo:R:3");
   }
@@ -412,6 +411,7 @@ Snapshot read_extended_xyz_frame(Lines& lines) {
     snapshot.time = parse_real(time->second.token, "Time", lines.location());
   }
   snapshot.box = box_of(pairs, lines.location());
+  snapshot.has_velocities = columns.velocity || columns.momenta;
   snapshot.has_spins = columns.spin.has_value();
   SpeciesNames names;
   for (std::size_t i = 0; i < count; ++i) {
@@ -423,12 +423,14 @@ Snapshot read_extended_xyz_frame(Lines& lines) {
     if (const auto mass = columns.mass ? columns.mass : columns.masses) sphere.mass = row.mass(*mass);
     if (columns.velocity) {
       sphere.velocity = row.vector(*columns.velocity, "velo");
-    } else {
+    } else if (columns.momenta) {
       const double mass = columns.masses ? row.real(*columns.masses, "masses") : sphere.mass;
       const Vec3 momentum = row.vector(*columns.momenta, "momenta");
       sphere.velocity = {momentum.x / mass, momentum.y / mass, momentum.z / mass};
     }
-    if (columns.type) {
+    if (columns.species) {
+      sphere.species = species_of_type(row.integer(*columns.species, "species_id"));
+    } else if (columns.type) {
       sphere.species = species_of_type(row.integer(*columns.type, "type"));
     } else if (columns.species_name) {
       sphere.species = names.species_of(row.text(*columns.species_name), lines.location());

@@ -13,12 +13,14 @@ namespace hardball {
 namespace {
 
 constexpr std::string_view kProperties = "type:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:map_shift:I:3";
+// Only where types are finer than species.
+constexpr std::string_view kSpeciesProperties = ":species_id:I:1";
 // Only where spheres spin.
 constexpr std::string_view kSpinProperties = ":angular_velocity:R:3:moment:R:1";
 // From which ASE takes velocities and masses.
 constexpr std::string_view kAseProperties = ":momenta:R:3:masses:R:1";
 
-std::string comment_line(const Snapshot& snapshot) {
+std::string comment_line(const Snapshot& snapshot, const SphereTypes& types) {
   const SnapshotBox box = box_of(snapshot);
   std::string line = "Lattice=\"";
   append_text(line, Vec3{box.size.x, 0, 0});
@@ -42,6 +44,7 @@ std::string comment_line(const Snapshot& snapshot) {
   }
   line += "Properties=";
   line += kProperties;
+  if (types.are_finer_than_species()) line += kSpeciesProperties;
   if (snapshot.has_spins) line += kSpinProperties;
   line += kAseProperties;
   line += '\n';
@@ -69,16 +72,19 @@ class RepeatedText {
 }  // namespace
 
 void append_extended_xyz(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append) {
-  append_extended_xyz_head(snapshot, snapshot.spheres.size(), frame, append);
-  append_extended_xyz_spheres(snapshot, append);
+  const SphereTypes types(snapshot.spheres);
+  append_extended_xyz_head(snapshot, snapshot.spheres.size(), types, frame, append);
+  append_extended_xyz_spheres(snapshot, types, append);
 }
 
-void append_extended_xyz_head(const Snapshot& head, std::size_t spheres, std::uint64_t /*frame*/,
-                              const AppendText& append) {
-  append(to_text(spheres) + "\n" + comment_line(head));
+void append_extended_xyz_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
+                              std::uint64_t /*frame*/, const AppendText& append) {
+  append(to_text(spheres) + "\n" + comment_line(head, types));
 }
 
-void append_extended_xyz_spheres(const Snapshot& snapshot, const AppendText& append) {
+void append_extended_xyz_spheres(const Snapshot& snapshot, const SphereTypes& types,
+                                 const AppendText& append) {
+  const bool has_species = types.are_finer_than_species();
   std::string line;
   RepeatedText radius;
   RepeatedText mass;
@@ -86,7 +92,7 @@ void append_extended_xyz_spheres(const Snapshot& snapshot, const AppendText& app
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     const Sphere& sphere = snapshot.spheres[i];
     line.clear();
-    append_text(line, sphere.species + 1);
+    append_text(line, types.type_of(sphere) + 1);
     append_text(line, sphere.position);
     const std::size_t velocity_begin = line.size();
     append_text(line, sphere.velocity);
@@ -95,6 +101,7 @@ void append_extended_xyz_spheres(const Snapshot& snapshot, const AppendText& app
     mass.append_to(line, sphere.mass);
     append_text(line, snapshot.id(i));
     append_text(line, snapshot.image(i));
+    if (has_species) append_text(line, sphere.species + 1);
     if (snapshot.has_spins) {
       append_text(line, sphere.spin);
       append_text(line, sphere.inertia_factor);

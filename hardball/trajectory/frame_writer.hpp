@@ -11,6 +11,7 @@
 #include "hardball/io/file_position.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/trajectory/snapshot.hpp"
+#include "hardball/trajectory/sphere_types.hpp"
 
 namespace hardball {
 
@@ -32,6 +33,7 @@ struct TrajectoryPosition {
 struct FrameParts {
   Snapshot head;                             ///< Without spheres.
   std::size_t spheres = 0;                   ///< How many there are.
+  SphereTypes types;                         ///< Of all of them.
   Function<std::optional<Snapshot>()> next;  ///< The next part; nothing at the end.
 };
 

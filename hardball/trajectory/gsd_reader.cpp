@@ -9,6 +9,7 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/trajectory/gsd_type_names.hpp"
 #include "hardball/trajectory/text_lines.hpp"
 
 namespace hardball {
@@ -140,6 +141,17 @@ void GsdReader::read_box(std::size_t frame, Snapshot& snapshot) {
   snapshot.box = box;
 }
 
+// The species of each type, where their names say it; otherwise nothing: types are species.
+std::vector<SpeciesId> GsdReader::species_of_types(std::size_t frame) {
+  const gsd::Entry* entry = entry_of(frame, Chunk::types);
+  if (!entry || entry->type != static_cast<std::uint8_t>(Type::int8) || entry->columns == 0) return {};
+  const std::string bytes = file_.read(*entry);
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at < bytes.size(); at += entry->columns)
+    names.emplace_back(bytes.substr(at, entry->columns).c_str());
+  return gsd::species_of_type_names(names).value_or(std::vector<SpeciesId>{});
+}
+
 void GsdReader::read_bonds(std::size_t frame, Snapshot& snapshot) {
   const std::string number = chunk(frame, Chunk::bond_count, Type::uint32, 1, 1);
   const std::uint64_t count = number.empty() ? 0 : read_little_endian<std::uint32_t>(number.data());
@@ -213,8 +225,10 @@ Snapshot GsdReader::read(std::size_t frame) {
       [](Sphere& sphere, const std::string& bytes, std::size_t i) { sphere.mass = single_at(bytes, i); },
       [](Sphere& sphere, const std::string& bytes, std::size_t i) { sphere.mass = double_at(bytes, i); });
   const std::string types = chunk(frame, Chunk::type_id, Type::uint32, count, 1);
+  const std::vector<SpeciesId> species = species_of_types(frame);
   each(types, [&](Sphere& sphere, std::size_t i) {
-    sphere.species = species_of_type(std::int64_t{read_little_endian<std::uint32_t>(&types[4 * i])} + 1);
+    const std::uint32_t type = read_little_endian<std::uint32_t>(&types[4 * i]);
+    sphere.species = type < species.size() ? species[type] : species_of_type(std::int64_t{type} + 1);
   });
   const std::string spins = chunk(frame, Chunk::spin, Type::float64, count, kAxes);
   each(spins, [&](Sphere& sphere, std::size_t i) { sphere.spin = vector_at(spins, i); });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "hardball/trajectory/gsd_file.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
@@ -33,6 +34,7 @@ class GsdReader final : public SnapshotReader {
                           std::uint64_t columns);
   std::uint64_t count_of(std::size_t frame);
   void read_box(std::size_t frame, Snapshot& snapshot);
+  std::vector<SpeciesId> species_of_types(std::size_t frame);
   void read_bonds(std::size_t frame, Snapshot& snapshot);
 
   gsd::File file_;

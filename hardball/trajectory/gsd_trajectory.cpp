@@ -15,6 +15,7 @@
 #include "hardball/io/checksum.hpp"
 #include "hardball/io/read_file.hpp"
 #include "hardball/trajectory/gsd_file.hpp"
+#include "hardball/trajectory/gsd_type_names.hpp"
 
 namespace hardball {
 namespace {
@@ -49,11 +50,6 @@ std::string name_list(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) names += std::string(gsd::kChunkNames[i]) + '\0';
   names.resize((names.size() / gsd::kNameBytes + 1) * gsd::kNameBytes);
   return names;
-}
-
-std::string type_name(std::size_t species) {
-  constexpr std::size_t kLetters = 26;
-  return species < kLetters ? std::string(1, static_cast<char>('A' + species)) : to_text(species);
 }
 
 // The entries of the frames before `frames`. Error: there are fewer frames.
@@ -248,16 +244,16 @@ void GsdTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
                         bytes_of_all(count, [&](std::string& bytes, std::size_t i) {
                           hardball::append(bytes, hardball::single(spheres[i].mass));
                         }));
-  std::size_t species = 0;
+  const SphereTypes types(spheres);
   write_unless_as_first(Chunk::type_id, Type::uint32, 1,
                         bytes_of_all(count, [&](std::string& bytes, std::size_t i) {
-                          species = std::max<std::size_t>(species, spheres[i].species);
-                          append_little_endian(bytes, std::uint32_t{spheres[i].species});
+                          append_little_endian(bytes, static_cast<std::uint32_t>(types.type_of(spheres[i])));
                         }));
-  const std::size_t name_bytes = type_name(species).size() + 1;
+  const std::vector<std::string> names = gsd::type_names(types);
+  const std::size_t name_bytes = std::ranges::max(names, {}, &std::string::size).size() + 1;
   write_unless_as_first(Chunk::types, Type::int8, name_bytes,
-                        bytes_of_all(species + 1, [&](std::string& bytes, std::size_t i) {
-                          std::string name = type_name(i);
+                        bytes_of_all(names.size(), [&](std::string& bytes, std::size_t i) {
+                          std::string name = names[i];
                           name.resize(name_bytes);
                           bytes += name;
                         }));

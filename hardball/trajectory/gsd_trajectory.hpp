@@ -20,9 +20,9 @@ namespace hardball {
 /// The chunks of the schema are in single precision, centered on the box. Exact are, beside them,
 /// `log/particles/position64`, `velocity64`, `radius64`, `mass64`, `angular_velocity64`, `moment64` and `id`,
 /// `log/time` (NaN if it is not known), `log/pbc`, `log/box/origin`, `log/box/size` and `log/box/unbounded`.
-/// The step is the number of the frame. What is as in the first frame is not repeated. The bytes of the file
-/// follow from its frames alone, however often it was truncated. Memory: 64 bytes for each sphere between
-/// frames.
+/// Types are named after species: A, B; where they are finer than species, A.1, A.2. The step is the number
+/// of the frame. What is as in the first frame is not repeated. The bytes of the file follow from its frames
+/// alone, however often it was truncated. Memory: 64 bytes for each sphere between frames.
 class GsdTrajectory final : public FrameWriter {
  public:
   /// Creates the file, or continues from a position in one that hardball has written. Error: it cannot be

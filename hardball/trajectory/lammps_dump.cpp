@@ -3,10 +3,13 @@
 #include "hardball/trajectory/lammps_dump.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
+#include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
@@ -23,7 +26,8 @@ const char* boundary_of(const SnapshotBox& box, std::size_t axis) {
   return box.is_unbounded ? " ss" : " ff";
 }
 
-std::string header(const Snapshot& snapshot, std::size_t spheres, std::uint64_t frame) {
+std::string dump_header(const Snapshot& snapshot, std::size_t spheres, const SphereTypes& types,
+                        std::uint64_t frame) {
   const SnapshotBox box = box_of(snapshot);
   std::string text = "ITEM: TIMESTEP\n" + to_text(frame) + "\nITEM: NUMBER OF ATOMS\n" + to_text(spheres) +
                      "\nITEM: BOX BOUNDS" + (box.tilt == 0 ? "" : " xy xz yz");
@@ -40,6 +44,7 @@ std::string header(const Snapshot& snapshot, std::size_t spheres, std::uint64_t 
     text.back() = '\n';
   }
   text += "ITEM: ATOMS id type x y z ix iy iz vx vy vz radius mass";
+  if (types.are_finer_than_species()) text += " species_id";
   if (snapshot.has_spins) text += " omegax omegay omegaz moment";
   return text + "\n";
 }
@@ -133,25 +138,95 @@ Header read_header(Lines& lines) {
   return header;
 }
 
+// Reads the line of the next sphere of a frame. Error: there is none.
+void need_sphere(Lines& lines, const Header& header, std::size_t found) {
+  if (!lines.next() || lines.line().starts_with(kItem)) report_end(lines, header.count, found);
+}
+
 void skip_lammps_frame(Lines& lines) {
   const Header header = read_header(lines);
-  for (std::size_t i = 0; i < header.count; ++i) {
-    if (!lines.next()) report_end(lines, header.count, i);
+  for (std::size_t i = 0; i < header.count; ++i) need_sphere(lines, header, i);
+}
+
+// The columns of a frame, and how positions are written in them.
+struct DumpColumns {
+  std::vector<Token> names;             // as SphereColumns calls them
+  std::array<bool, kAxes> is_scaled{};  // by the box
+  std::array<bool, kAxes> is_unfolded{};
+  std::vector<std::array<std::size_t, 2>> repeated;  // which column repeats which
+};
+
+DumpColumns dump_columns(std::vector<Token> names) {
+  DumpColumns columns;
+  std::map<std::string_view, std::size_t> first_of;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto [first, is_new] = first_of.try_emplace(names[i].text, i);
+    if (is_new) continue;
+    columns.repeated.push_back({first->second, i});
+    names[i].text = {};
+  }
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const std::string plain = kAxisNames[axis];
+    if (first_of.contains(plain)) continue;
+    for (const std::string_view kind : {"u", "s", "su"}) {
+      const auto found = first_of.find(plain + std::string(kind));
+      if (found == first_of.end()) continue;
+      names[found->second].text = kAxisNames[axis];
+      columns.is_scaled[axis] = kind.starts_with('s');
+      columns.is_unfolded[axis] = kind.ends_with('u');
+      break;
+    }
+  }
+  columns.names = std::move(names);
+  return columns;
+}
+
+// Error: columns of one name have different values.
+void check_repeated(const DumpColumns& columns, std::span<const Token> values, const TextLocation& location) {
+  for (const auto& [first, second] : columns.repeated) {
+    if (second >= values.size() || values[first].text == values[second].text) continue;
+    throw Error("column '" + shortened(columns.names[first].text) + "' appears twice, with other values",
+                location.text(values[second].offset), "remove one of the two");
+  }
+}
+
+// Makes lengths of coordinates that are fractions of the box.
+void unscale(const DumpColumns& columns, const SnapshotBox& box, Vec3& position) {
+  for (std::size_t axis = kAxes; axis-- > 0;) {
+    if (!columns.is_scaled[axis]) continue;
+    position[axis] = box.low[axis] + position[axis] * box.size[axis];
+    if (axis > 0 || box.tilt == 0) continue;
+    position.x += box.tilt * ((position.y - box.low.y) / box.size.y - 0.5);
   }
 }
 
 Snapshot read_lammps_frame(Lines& lines) {
   const Header header = read_header(lines);
   const std::string names(lines.line());
-  std::vector<Token> columns = tokens_of(names);
-  columns.erase(columns.begin(), columns.begin() + 2);  // ITEM: ATOMS
-  SphereColumns spheres(columns, lines.location());
+  std::vector<Token> tokens = tokens_of(names);
+  tokens.erase(tokens.begin(), tokens.begin() + 2);  // ITEM: ATOMS
+  const DumpColumns columns = dump_columns(std::move(tokens));
+  const bool is_scaled = std::ranges::find(columns.is_scaled, true) != columns.is_scaled.end();
+  if (is_scaled && !header.box) {
+    throw Error("positions are scaled by the box, and the frame has none", lines.location().text(),
+                "add ITEM: BOX BOUNDS before ITEM: ATOMS");
+  }
+  const SphereColumns spheres(columns.names, lines.location());
   Snapshot snapshot;
+  spheres.describe(snapshot);
   snapshot.time = header.time;
   snapshot.box = header.box;
   for (std::size_t i = 0; i < header.count; ++i) {
-    if (!lines.next()) report_end(lines, header.count, i);
-    spheres.add(tokens_of(lines.line()), lines.location(), snapshot);
+    need_sphere(lines, header, i);
+    const std::vector<Token> values = tokens_of(lines.line());
+    check_repeated(columns, values, lines.location());
+    spheres.add(values, lines.location(), snapshot);
+    if (is_scaled) unscale(columns, *snapshot.box, snapshot.spheres.back().position);
+  }
+  if (std::ranges::find(columns.is_unfolded, true) != columns.is_unfolded.end()) {
+    // The images of centers that are not folded are those that folding counts.
+    snapshot.images.clear();
+    fold_into_box(snapshot, lines.name());
   }
   return snapshot;
 }
@@ -159,27 +234,31 @@ Snapshot read_lammps_frame(Lines& lines) {
 }  // namespace
 
 void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append) {
-  append_lammps_dump_head(snapshot, snapshot.spheres.size(), frame, append);
-  append_lammps_dump_spheres(snapshot, append);
+  const SphereTypes types(snapshot.spheres);
+  append_lammps_dump_head(snapshot, snapshot.spheres.size(), types, frame, append);
+  append_lammps_dump_spheres(snapshot, types, append);
 }
 
-void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, std::uint64_t frame,
-                             const AppendText& append) {
-  append(header(head, spheres, frame));
+void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
+                             std::uint64_t frame, const AppendText& append) {
+  append(dump_header(head, spheres, types, frame));
 }
 
-void append_lammps_dump_spheres(const Snapshot& snapshot, const AppendText& append) {
+void append_lammps_dump_spheres(const Snapshot& snapshot, const SphereTypes& types,
+                                const AppendText& append) {
+  const bool has_species = types.are_finer_than_species();
   std::string line;
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     const Sphere& sphere = snapshot.spheres[i];
     line.clear();
     append_text(line, snapshot.id(i));
-    append_text(line, sphere.species + 1);
+    append_text(line, types.type_of(sphere) + 1);
     append_text(line, sphere.position);
     append_text(line, snapshot.image(i));
     append_text(line, sphere.velocity);
     append_text(line, sphere.radius);
     append_text(line, sphere.mass);
+    if (has_species) append_text(line, sphere.species + 1);
     if (snapshot.has_spins) {
       append_text(line, sphere.spin);
       append_text(line, sphere.inertia_factor);

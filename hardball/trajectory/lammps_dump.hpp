@@ -9,19 +9,21 @@
 namespace hardball {
 
 /// Appends a frame of a LAMMPS dump: `id type x y z ix iy iz vx vy vz radius mass` and, where spheres spin,
-/// `omegax omegay omegaz moment`. The time step is the number of the frame: the readers that users have
-/// understand no time.
+/// `omegax omegay omegaz moment`; where types are finer than species, `species_id`. The time step is the
+/// number of the frame: the readers that users have understand no time.
 void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
-void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, std::uint64_t frame,
-                             const AppendText& append);
-void append_lammps_dump_spheres(const Snapshot& part, const AppendText& append);
+void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
+                             std::uint64_t frame, const AppendText& append);
+void append_lammps_dump_spheres(const Snapshot& part, const SphereTypes& types, const AppendText& append);
 
 inline constexpr TextFrame kLammpsDump{append_lammps_dump, append_lammps_dump_head,
                                        append_lammps_dump_spheres};
 
-/// LAMMPS dumps in text, also those with ITEM: TIME. The columns `x y z vx vy vz` and `radius` or `diameter`
-/// are required. Error, located by file:line:column: a column is missing, the box is triclinic, a value is
-/// not a finite number, an id occurs twice, the last frame is incomplete.
+/// LAMMPS dumps in text, also those with ITEM: TIME, and those of LIGGGHTS. Required are a position for each
+/// axis, `x`, `xu` (not folded), `xs` (scaled by the box) or `xsu` (both), of several the first of these, and
+/// `radius` or `diameter`. Centers that are not folded are folded into the box. Of columns that stand twice,
+/// the first counts. Error, located by file:line:column: a column is missing, the box is triclinic, a value
+/// is not a finite number, an id occurs twice, columns of one name differ, the last frame is incomplete.
 TextFormat lammps_dump_format();
 
 }  // namespace hardball

@@ -13,12 +13,13 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/little_endian.hpp"
 #include "hardball/trajectory/sphere_columns.hpp"
+#include "hardball/trajectory/sphere_types.hpp"
 
 namespace hardball {
 namespace {
 
 constexpr const char* kGiveArray =
-    "give a structured array with the fields x, y, z, vx, vy, vz and radius, or one of shape (N, 7)";
+    "give a structured array with the fields x, y, z and radius, or one of shape (N, 4) or (N, 7)";
 
 // A column of the array: where its number is in the items.
 struct Column {
@@ -45,9 +46,14 @@ void add_columns(const NpyField& field, std::vector<Column>& columns) {
   }
 }
 
-// The columns of an array without names, in order.
+// The columns of an array without names, in order: those without velocities and those with them.
+constexpr std::array<std::string_view, 4> kStillColumns{"x", "y", "z", "radius"};
 constexpr std::array<std::string_view, 9> kPlainColumns{"x",  "y",      "z",    "vx", "vy",
                                                         "vz", "radius", "mass", "id"};
+
+std::string_view plain_column(std::uint64_t columns, std::size_t index) {
+  return columns == kStillColumns.size() ? kStillColumns[index] : kPlainColumns[index];
+}
 
 std::uint64_t word_at(const char* item, const Column& column) {
   std::uint64_t word = 0;
@@ -96,7 +102,8 @@ NpySnapshotReader::NpySnapshotReader(const std::filesystem::path& path)
   }
   if (header_.is_structured()) return;
   constexpr std::uint64_t kLeastColumns = 7;
-  if (header_.shape[1] < kLeastColumns || header_.shape[1] > kPlainColumns.size()) {
+  const bool is_still = header_.shape[1] == kStillColumns.size();
+  if (!is_still && (header_.shape[1] < kLeastColumns || header_.shape[1] > kPlainColumns.size())) {
     throw Error("the array has " + to_text(header_.shape[1]) + " columns", path.string(), kGiveArray);
   }
 }
@@ -118,7 +125,7 @@ Snapshot NpySnapshotReader::read(std::size_t /*frame*/) {
       item_bytes *= header_.shape[1];
     }
     for (std::size_t i = 0; i < header_.shape[1]; ++i)
-      columns.push_back({kPlainColumns[i], field.kind, field.bytes, i * column_stride});
+      columns.push_back({plain_column(header_.shape[1], i), field.kind, field.bytes, i * column_stride});
   }
   std::vector<Token> names;
   for (const Column& column : columns) names.push_back({column.name, 0});
@@ -133,6 +140,7 @@ Snapshot NpySnapshotReader::read(std::size_t /*frame*/) {
     throw Error("the file has become shorter", name, kGiveArray);
 
   Snapshot snapshot;
+  of_sphere.describe(snapshot);
   snapshot.spheres.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::string location = name + ": item " + to_text(i);
@@ -147,13 +155,16 @@ Snapshot NpySnapshotReader::read(std::size_t /*frame*/) {
 }
 
 void append_npy(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendText& append) {
-  std::string types =
+  const SphereTypes types(snapshot.spheres);
+  const bool has_species = types.are_finer_than_species();
+  std::string fields =
       "('id', '<i8'), ('type', '<i4'), ('x', '<f8'), ('y', '<f8'), ('z', '<f8'), ('vx', '<f8'), "
       "('vy', '<f8'), ('vz', '<f8'), ('radius', '<f8'), ('mass', '<f8'), ('ix', '<i4'), ('iy', '<i4'), "
       "('iz', '<i4')";
+  if (has_species) fields += ", ('species_id', '<i4')";
   if (snapshot.has_spins)
-    types += ", ('omegax', '<f8'), ('omegay', '<f8'), ('omegaz', '<f8'), ('moment', '<f8')";
-  std::string text = "{'descr': [" + types + "], 'fortran_order': False, 'shape': (" +
+    fields += ", ('omegax', '<f8'), ('omegay', '<f8'), ('omegaz', '<f8'), ('moment', '<f8')";
+  std::string text = "{'descr': [" + fields + "], 'fortran_order': False, 'shape': (" +
                      to_text(snapshot.spheres.size()) + ",), }";
   constexpr std::size_t kPrefix = 10;
   constexpr std::size_t kAlignment = 64;
@@ -168,7 +179,7 @@ void append_npy(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
     const Image image = snapshot.image(i);
     bytes.clear();
     append_little_endian(bytes, static_cast<std::uint64_t>(snapshot.id(i)));
-    append_little_endian(bytes, static_cast<std::uint32_t>(sphere.species + 1));
+    append_little_endian(bytes, static_cast<std::uint32_t>(types.type_of(sphere) + 1));
     for (const Vec3& vector : {sphere.position, sphere.velocity}) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) append_little_endian(bytes, vector[axis]);
     }
@@ -176,6 +187,7 @@ void append_npy(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
     append_little_endian(bytes, sphere.mass);
     for (std::size_t axis = 0; axis < kAxes; ++axis)
       append_little_endian(bytes, static_cast<std::uint32_t>(image[axis]));
+    if (has_species) append_little_endian(bytes, static_cast<std::uint32_t>(sphere.species + 1));
     if (snapshot.has_spins) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) append_little_endian(bytes, sphere.spin[axis]);
       append_little_endian(bytes, sphere.inertia_factor);

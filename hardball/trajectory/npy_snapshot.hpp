@@ -12,13 +12,14 @@
 namespace hardball {
 
 /// Writes a NumPy file: a structured array with an item for each sphere and the fields `id type x y z vx vy
-/// vz radius mass ix iy iz` and, where spheres spin, `omegax omegay omegaz moment`.
+/// vz radius mass ix iy iz`, where types are finer than species `species_id` and, where spheres spin,
+/// `omegax omegay omegaz moment`.
 void append_npy(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
 
 /// Reads the spheres of a NumPy file: a structured array with such fields (see SphereColumns), or with
 /// `position`, `velocity`, `angular_velocity` and `image` of three numbers each; or a plain array of shape
-/// (N, 7), (N, 8) or (N, 9) whose columns are x, y, z, vx, vy, vz, radius, mass, id. Error: see
-/// read_npy_header; a field is missing, or no number.
+/// (N, 4) whose columns are x, y, z, radius, or of shape (N, 7), (N, 8) or (N, 9) whose columns are x, y, z,
+/// vx, vy, vz, radius, mass, id. Error: see read_npy_header; a field is missing, or no number.
 class NpySnapshotReader final : public SnapshotReader {
  public:
   explicit NpySnapshotReader(const std::filesystem::path& path);

@@ -150,6 +150,31 @@ void sort_by_id(Snapshot& snapshot, const std::string& name) {
   reorder(snapshot.ids, order);
 }
 
+void fold_into_box(Snapshot& snapshot, const std::string& name) {
+  if (!snapshot.box) return;
+  const SnapshotBox& box = *snapshot.box;
+  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
+    Vec3& position = snapshot.spheres[i].position;
+    // Along x last: boxes above or below are displaced along it.
+    for (std::size_t axis = kAxes; axis-- > 0;) {
+      if (!box.is_periodic[axis] || !(box.size[axis] > 0)) continue;
+      const double slant = axis == 0 ? box.tilt * ((position.y - box.low.y) / box.size.y - 0.5) : 0;
+      const double boxes = std::floor((position[axis] - box.low[axis] - slant) / box.size[axis]);
+      if (boxes == 0) continue;
+      position[axis] -= boxes * box.size[axis];
+      if (axis == 1) position.x -= boxes * box.tilt;
+      if (snapshot.images.empty()) snapshot.images.resize(snapshot.spheres.size());
+      std::int32_t& image = snapshot.images[i][axis];
+      const double count = image + boxes;
+      if (!(std::fabs(count) <= std::numeric_limits<std::int32_t>::max())) {
+        throw Error("the center is " + to_text(count) + " boxes away along " + "xyz"[axis],
+                    snapshot.location(name, i), "give a center nearer to the box");
+      }
+      image = static_cast<std::int32_t>(count);
+    }
+  }
+}
+
 std::string text_of(const SnapshotBox& box) {
   std::string size;
   std::string periodic;
@@ -157,8 +182,12 @@ std::string text_of(const SnapshotBox& box) {
     size += (axis == 0 ? "" : " x ") + to_text(box.size[axis]);
     if (box.is_periodic[axis]) periodic += (periodic.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
   }
-  return size + (periodic.empty() ? ", not periodic" : ", periodic along " + periodic) +
-         (box.tilt == 0 ? "" : ", tilted by " + to_text(box.tilt)) +
+  if (!box.are_boundaries_known) {
+    periodic = ", boundaries not given";
+  } else {
+    periodic = periodic.empty() ? ", not periodic" : ", periodic along " + periodic;
+  }
+  return size + periodic + (box.tilt == 0 ? "" : ", tilted by " + to_text(box.tilt)) +
          (box.is_unbounded ? ", unbounded: it spans the spheres" : "");
 }
 

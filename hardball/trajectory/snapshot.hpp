@@ -21,6 +21,8 @@ struct SnapshotBox {
   std::array<bool, kAxes> is_periodic{};
   bool is_unbounded = false;  ///< Along some axis it only spans the spheres.
   bool is_flat = false;       ///< It is a plane, and the spheres are discs.
+  /// Whether the file says along which axes it is periodic.
+  bool are_boundaries_known = true;
   /// By how much its upper end along y is displaced along x against the lower one, in a sheared box: at most
   /// half of the size along x. Centers lie in the tilted cell, whose middle is that of the box [L].
   double tilt = 0;
@@ -66,6 +68,10 @@ HARDBALL_EXPORT SnapshotBox box_of(const Snapshot& snapshot);
 
 /// Sorts the spheres by id. Error, at its location in the file of this name: an id occurs twice.
 HARDBALL_EXPORT void sort_by_id(Snapshot& snapshot, const std::string& name);
+
+/// Folds centers into the box along the axes where it is periodic, and adds to the images by how many boxes.
+/// Error, at its location in the file of this name: a center is more boxes away than an image can count.
+HARDBALL_EXPORT void fold_into_box(Snapshot& snapshot, const std::string& name);
 
 /// Error, with its location in the file of this name: a number is NaN or infinite, but for a mass; a radius
 /// or mass is not positive; an edge of the box is negative, or zero where the box is periodic.

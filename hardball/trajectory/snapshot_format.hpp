@@ -19,10 +19,16 @@ enum class SnapshotFormat {
   csv,
   npy,
   sph,
+  lammps_data,
 };
 
-/// The format of a file by its name. Error: the extension is unknown.
+/// The format of a file by its name. Text formats may be compressed by zstd: their names then end in .zst. A
+/// number at the end, as in dump.100, does not matter. Error: the name says no format; the file is compressed
+/// by gzip, or is compressed and no text.
 HARDBALL_EXPORT SnapshotFormat format_of(const std::filesystem::path& path);
+
+/// Whether a file is compressed by zstd, by its name.
+HARDBALL_EXPORT bool is_compressed(const std::filesystem::path& path);
 
 /// Whether a file of this format has a single frame.
 HARDBALL_EXPORT bool has_single_frame(SnapshotFormat format);

@@ -9,6 +9,7 @@
 #include "hardball/io/zstd.hpp"
 #include "hardball/trajectory/extended_xyz_reader.hpp"
 #include "hardball/trajectory/gsd_reader.hpp"
+#include "hardball/trajectory/lammps_data.hpp"
 #include "hardball/trajectory/lammps_dump.hpp"
 #include "hardball/trajectory/npy_snapshot.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
@@ -33,25 +34,27 @@ std::unique_ptr<SnapshotReader> open_snapshots(const std::filesystem::path& path
   if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown)) {
     throw Error("it is not a regular file", path.string(), "name a file with snapshots");
   }
-  const auto text = [&](TextFormat text_format, auto open) {
+  const auto text = [&](TextFormat text_format) {
+    const auto open = is_compressed(path) ? open_zstd : open_plain;
     return std::make_unique<TextSnapshotReader>([path, open] { return open(path); }, path.string(),
                                                 text_format);
   };
   switch (format) {
     case SnapshotFormat::extended_xyz:
-      return text(extended_xyz_format(), open_plain);
     case SnapshotFormat::extended_xyz_zst:
-      return text(extended_xyz_format(), open_zstd);
+      return text(extended_xyz_format());
     case SnapshotFormat::gsd:
       return std::make_unique<GsdReader>(path);
     case SnapshotFormat::lammps:
-      return text(lammps_dump_format(), open_plain);
+      return text(lammps_dump_format());
     case SnapshotFormat::csv:
-      return text(csv_format(), open_plain);
+      return text(csv_format());
     case SnapshotFormat::npy:
       return std::make_unique<NpySnapshotReader>(path);
     case SnapshotFormat::sph:
-      return text(sph_format(), open_plain);
+      return text(sph_format());
+    case SnapshotFormat::lammps_data:
+      return text(lammps_data_format());
     case SnapshotFormat::vtp:
       break;
   }

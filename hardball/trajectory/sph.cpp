@@ -66,6 +66,7 @@ Snapshot read_sph_frame(Lines& lines) {
                                 .species = species_of(values[0])});
     snapshot.lines.push_back(lines.number());
   }
+  fold_into_box(snapshot, lines.name());
   return snapshot;
 }
 
@@ -92,7 +93,7 @@ void append_sph(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
 
 TextFormat sph_format() {
   return {skip_sph_frame, read_sph_frame,
-          "give a file of the EDMD codes, with the number of spheres on its first line"};
+          "give a file of the EDMD codes, with the number of spheres on its first line", '#'};
 }
 
 }  // namespace hardball

@@ -14,7 +14,8 @@ namespace hardball {
 /// Phys. J. E 45, 22, 2022).
 void append_sph(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
 
-/// That format; the box is periodic. Error, located by file:line:column: a line has not as many values, a
+/// The format of append_sph; the box is periodic, centers are folded into it, and lines that begin with # are
+/// passed over. Error, located by file:line:column: a line has not as many values, a
 /// value is not a finite number, the last frame is incomplete.
 TextFormat sph_format();
 

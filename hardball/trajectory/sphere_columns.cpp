@@ -3,6 +3,7 @@
 #include "hardball/trajectory/sphere_columns.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -13,9 +14,21 @@ namespace {
 
 using enum SphereColumn;
 
-constexpr std::array<SphereColumn, 6> kRequired{x, y, z, vx, vy, vz};
+constexpr std::array<SphereColumn, 3> kPosition{x, y, z};
+constexpr std::array<SphereColumn, 3> kVelocity{vx, vy, vz};
 constexpr std::array<SphereColumn, 3> kImage{ix, iy, iz};
 constexpr std::array<SphereColumn, 3> kSpin{omegax, omegay, omegaz};
+
+// An integer, perhaps written as a real number, as programs do that have nothing but these.
+std::int64_t whole_number(const Token& token, const std::string& name, const TextLocation& location) {
+  constexpr double kMax = 0x1p53;
+  double number = 0;
+  if (parse(token.text, number) && std::fabs(number) <= kMax && std::trunc(number) == number &&
+      token.text.find('.') != std::string_view::npos) {
+    return static_cast<std::int64_t>(number);
+  }
+  return parse_integer(token, name, location);
+}
 
 std::string name_of(SphereColumn column) {
   return std::string(kSphereColumnNames[static_cast<std::size_t>(column)]);
@@ -38,11 +51,11 @@ SphereColumns::SphereColumns(std::span<const Token> names, const TextLocation& w
   const auto need = [&](SphereColumn column) {
     if (has(column)) return;
     throw Error("there is no column '" + name_of(column) + "'", where.text(),
-                "name the columns, among them x, y, z, vx, vy, vz and radius");
+                "name the columns, among them x, y, z and radius, and vx, vy, vz if there are velocities");
   };
-  for (const SphereColumn column : kRequired) need(column);
+  for (const SphereColumn column : kPosition) need(column);
   if (!has(diameter)) need(radius);
-  for (const auto& group : {kImage, kSpin}) {
+  for (const auto& group : {kVelocity, kImage, kSpin}) {
     if (std::ranges::any_of(group, [&](SphereColumn column) { return has(column); }))
       std::ranges::for_each(group, need);
   }
@@ -61,7 +74,7 @@ void SphereColumns::add(std::span<const Token> values, const TextLocation& locat
         return column == mass_index ? parse_mass(values[column], location)
                                     : parse_real(values[column], names_[column], location);
       },
-      [&](std::size_t column) { return parse_integer(values[column], names_[column], location); });
+      [&](std::size_t column) { return whole_number(values[column], names_[column], location); });
   snapshot.lines.push_back(location.line);
 }
 

@@ -34,19 +34,21 @@ enum class SphereColumn {
   omegax,
   omegay,
   omegaz,
-  moment
+  moment,
+  species_id
 };
-inline constexpr std::size_t kSphereColumns = 18;
+inline constexpr std::size_t kSphereColumns = 19;
 
 /// Their names, in the order of SphereColumn.
 inline constexpr std::array<std::string_view, kSphereColumns> kSphereColumnNames{
-    "x",  "y",    "z",  "vx", "vy", "vz",     "radius", "diameter", "mass",
-    "id", "type", "ix", "iy", "iz", "omegax", "omegay", "omegaz",   "moment"};
+    "x",    "y",  "z",  "vx", "vy",     "vz",     "radius", "diameter", "mass",      "id",
+    "type", "ix", "iy", "iz", "omegax", "omegay", "omegaz", "moment",   "species_id"};
 
 /// Where the columns of a table are; others are ignored.
 ///
-/// Required are `x y z vx vy vz` and either `radius` or `diameter`. `mass` is 1 if not given; `omegax omegay
-/// omegaz` is the angular velocity; `type` counts from one.
+/// Required are `x y z` and either `radius` or `diameter`. `vx vy vz` is the velocity; `mass` is 1 if not
+/// given; `omegax omegay omegaz` is the angular velocity; `type` counts from one, and is the species
+/// unless there is `species_id`, which counts from one, too.
 class SphereColumns {
  public:
   /// `where`: the place of the names. Error: a column is missing, or occurs twice.
@@ -68,10 +70,11 @@ class SphereColumns {
     };
     Sphere& sphere = snapshot.spheres.emplace_back();
     sphere.position = vector(x);
-    sphere.velocity = vector(vx);
+    if (has(vx)) sphere.velocity = vector(vx);
     sphere.radius = has(radius) ? real(at(radius)) : real(at(diameter)) / 2;
     if (has(mass)) sphere.mass = real(at(mass));
-    if (has(type)) sphere.species = species_of_type(integer(at(type)));
+    if (has(type) && !has(species_id)) sphere.species = species_of_type(integer(at(type)));
+    if (has(species_id)) sphere.species = species_of_type(integer(at(species_id)));
     if (has(omegax)) sphere.spin = vector(omegax);
     if (has(moment)) sphere.inertia_factor = real(at(moment));
     if (has(id)) snapshot.ids.push_back(integer(at(id)));
@@ -80,9 +83,16 @@ class SphereColumns {
       for (std::size_t axis = 0; axis < kAxes; ++axis)
         image[axis] = box_count(integer(at(ix, axis)), location);
     }
-    snapshot.has_spins = has(omegax);
   }
 
+  /// Says which quantities the spheres of the snapshot have.
+  void describe(Snapshot& snapshot) const {
+    snapshot.has_velocities = has(SphereColumn::vx);
+    snapshot.has_spins = has(SphereColumn::omegax);
+  }
+
+  /// The number of columns, known or not.
+  std::size_t size() const { return count_; }
   bool has(SphereColumn column) const { return index_[static_cast<std::size_t>(column)].has_value(); }
 
  private:

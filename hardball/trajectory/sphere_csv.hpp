@@ -12,7 +12,10 @@ namespace hardball {
 /// (see SphereColumns).
 void append_csv(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
 
-/// Such a table; lines that begin with # are ignored. Error, located by file:line:column: see SphereColumns.
+/// Tables of numbers under the names of columns (see known_columns), separated by commas, semicolons, tabs or
+/// blanks. Lines that begin with # are ignored, unless the table has no other names: then the last such line
+/// that names x, y and z does. Values may be in quotes, and numbers may have decimal commas where something
+/// else separates them. Error, located by file:line:column: see SphereColumns.
 TextFormat csv_format();
 
 }  // namespace hardball

@@ -68,13 +68,16 @@ double parse_mass(const Token& token, const TextLocation& location);
 /// The species of a type: types count from one; beyond what species there may be, they mean something else.
 std::uint8_t species_of_type(std::int64_t type);
 
-/// Reads a text line by line, counting lines, in bounded memory.
+/// Reads a text line by line, counting lines, in bounded memory. A byte order mark at its beginning is not
+/// part of the first line.
 class Lines {
  public:
-  /// `name` stands for the text in messages.
-  Lines(std::unique_ptr<std::istream> in, std::string name);
+  /// `name` stands for the text in messages. Lines that begin with `comment_mark`, if it is not zero, are
+  /// counted, but passed over.
+  Lines(std::unique_ptr<std::istream> in, std::string name, char comment_mark = '\0');
 
-  /// Reads the next line; false at the end. Error: a line is longer than a megabyte.
+  /// Reads the next line; false at the end. Error: a line is longer than a megabyte; the text is encoded in
+  /// UTF-16.
   bool next();
   /// Reads on to a line that is not blank; false at the end.
   bool next_text();
@@ -85,8 +88,11 @@ class Lines {
   const std::string& name() const { return name_; }
 
  private:
+  bool next_of_any_kind();
+
   std::unique_ptr<std::istream> in_;
   std::string name_;
+  char comment_mark_;
   std::unique_ptr<char[]> buffer_;
   std::string_view line_;
   std::size_t number_ = 0;

@@ -23,8 +23,8 @@ void TextTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
 void TextTrajectory::append(const FrameParts& parts, std::uint64_t frame) {
   if (!text_.spheres) return FrameWriter::append(parts, frame);
   append_frame([&](const AppendText& append) {
-    text_.head(parts.head, parts.spheres, frame, append);
-    while (const std::optional<Snapshot> part = parts.next()) text_.spheres(*part, append);
+    text_.head(parts.head, parts.spheres, parts.types, frame, append);
+    while (const std::optional<Snapshot> part = parts.next()) text_.spheres(*part, parts.types, append);
   });
 }
 

@@ -12,6 +12,7 @@
 
 #include "hardball/io/output_file.hpp"
 #include "hardball/trajectory/frame_writer.hpp"
+#include "hardball/trajectory/sphere_types.hpp"
 
 namespace hardball {
 
@@ -21,11 +22,12 @@ class ZstdCompressor;
 using AppendText = std::function<void(std::string_view)>;
 /// Passes on the bytes of a frame.
 using AppendFrame = void (*)(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
-/// Passes on what stands before the spheres of a frame, so many; those of `head` do not matter.
-using AppendHead = void (*)(const Snapshot& head, std::size_t spheres, std::uint64_t frame,
-                            const AppendText& append);
-/// Passes on some of the spheres of a frame.
-using AppendSpheres = void (*)(const Snapshot& part, const AppendText& append);
+/// Passes on what stands before the spheres of a frame, so many and of these types; those of `head` do not
+/// matter.
+using AppendHead = void (*)(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
+                            std::uint64_t frame, const AppendText& append);
+/// Passes on some of the spheres of a frame; the types are those of all.
+using AppendSpheres = void (*)(const Snapshot& part, const SphereTypes& types, const AppendText& append);
 
 /// How a frame is written: as a whole or, where there are functions for that, in parts.
 struct TextFrame {

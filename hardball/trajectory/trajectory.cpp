@@ -7,6 +7,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/trajectory/extended_xyz_writer.hpp"
 #include "hardball/trajectory/gsd_trajectory.hpp"
+#include "hardball/trajectory/lammps_data.hpp"
 #include "hardball/trajectory/lammps_dump.hpp"
 #include "hardball/trajectory/npy_snapshot.hpp"
 #include "hardball/trajectory/sph.hpp"
@@ -19,14 +20,13 @@ namespace {
 
 std::unique_ptr<FrameWriter> make_writer(const std::filesystem::path& path, SnapshotFormat format,
                                          const std::optional<TrajectoryPosition>& position) {
-  const auto text = [&](const TextFrame& frame, bool is_compressed = false) {
-    return std::make_unique<TextTrajectory>(path, frame, is_compressed, position);
+  const auto text = [&](const TextFrame& frame) {
+    return std::make_unique<TextTrajectory>(path, frame, is_compressed(path), position);
   };
   switch (format) {
     case SnapshotFormat::extended_xyz:
-      return text(kExtendedXyz);
     case SnapshotFormat::extended_xyz_zst:
-      return text(kExtendedXyz, true);
+      return text(kExtendedXyz);
     case SnapshotFormat::gsd:
       return std::make_unique<GsdTrajectory>(path, position);
     case SnapshotFormat::lammps:
@@ -39,6 +39,8 @@ std::unique_ptr<FrameWriter> make_writer(const std::filesystem::path& path, Snap
       return text({.whole = append_npy});
     case SnapshotFormat::sph:
       return text({.whole = append_sph});
+    case SnapshotFormat::lammps_data:
+      return text({.whole = append_lammps_data});
   }
   return nullptr;
 }

@@ -17,6 +17,7 @@
 #include "hardball/io/output_file.hpp"
 #include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
+#include "hardball/trajectory/sphere_types.hpp"
 
 namespace hardball {
 namespace {
@@ -125,7 +126,13 @@ std::string vtp_text(const Snapshot& snapshot) {
   text += of_spheres("velocity", kAxes, &Sphere::velocity);
   text += of_spheres("mass", 1, &Sphere::mass);
   text += arrays.add("id", "Int64", 1, [&](std::size_t i) { return snapshot.id(i); });
-  text += arrays.add("type", "Int64", 1, [&](std::size_t i) { return std::int64_t{spheres[i].species} + 1; });
+  const SphereTypes types(spheres);
+  text += arrays.add("type", "Int64", 1,
+                     [&](std::size_t i) { return static_cast<std::int64_t>(types.type_of(spheres[i])) + 1; });
+  if (types.are_finer_than_species()) {
+    text += arrays.add("species_id", "Int64", 1,
+                       [&](std::size_t i) { return std::int64_t{spheres[i].species} + 1; });
+  }
   text += arrays.add("image", "Int64", kAxes, [&](std::size_t i) { return snapshot.image(i); });
   if (snapshot.has_spins) {
     text += of_spheres("angular_velocity", kAxes, &Sphere::spin);

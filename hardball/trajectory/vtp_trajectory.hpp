@@ -14,10 +14,10 @@ namespace hardball {
 /// Writes frames for ParaView: each a file of VTK's PolyData in a folder, in the order of their numbers, and
 /// a collection (PVD) that lists them with their times.
 ///
-/// A VTP file has points and, for each, the arrays `radius`, `velocity`, `id`, `type`, `mass`, `image` and,
-/// where spheres spin, `angular_velocity` and `moment`, all numbers in double precision; the field data
-/// `TimeValue`. The collection is replaced as a whole, so that it is never incomplete: by every frame at
-/// first, later by every eighth part of them, and by flush().
+/// A VTP file has points and, for each, the arrays `radius`, `velocity`, `id`, `type`, `mass`, `image`, where
+/// types are finer than species `species_id` and, where spheres spin, `angular_velocity` and `moment`, all
+/// numbers in double precision; the field data `TimeValue`. The collection is replaced as a whole, so that it
+/// is never incomplete: by every frame at first, later by every eighth part of them, and by flush().
 class VtpTrajectory final : public FrameWriter {
  public:
   /// `path`: of the collection; the folder bears its name without extension. Creates both, or continues from

@@ -142,10 +142,11 @@ class Simulation(_hardball.Simulation):
         engine: str = "auto",
         cell_edge: float | None = None,
     ) -> Self:
-        """Starts from the last frame of a file: extended XYZ, GSD, a LAMMPS dump, CSV, NumPy or .sph.
+        """Starts from the last frame of a file: extended XYZ, GSD, a LAMMPS dump or data file, CSV, NumPy or .sph.
 
-        The box is that of the file: periodic where the file says so, otherwise open. `overrides` changes it or adds
-        other keys of a scenario: {'box.boundary': ['wall'] * 3, 'response.restitution': 0.9}.
+        The box is that of the file: periodic where the file says so, otherwise open; that of a LAMMPS data file, which
+        says nothing, is periodic. `overrides` changes it or adds other keys of a scenario: {'box.boundary':
+        ['wall'] * 3, 'start.shrink': True, 'response.restitution': 0.9}.
         """
         file = path_text(path, "path")
         scenario = {"box": cls._box_of_file(file), "start": {"file": os.path.abspath(file)}}

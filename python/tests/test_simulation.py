@@ -219,6 +219,21 @@ class Files(unittest.TestCase):
             with self.assertWarnsRegex(UserWarning, "is not that of"):
                 hardball.Simulation.from_file(path, overrides={"box.size": [10.0, 10.0, 10.0]})
 
+    def test_from_a_data_file_of_lammps_whose_spheres_overlap(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "start.data"
+            path.write_text(
+                "title\n\n2 atoms\n1 atom types\n\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nAtoms # sphere\n\n"
+                "1 1 1 2 1 1 1\n2 1 1 2 1.999999 1 1\n\nVelocities\n\n1 1 0 0 0 0 0\n2 0 0 0 0 0 0\n"
+            )
+            with self.assertRaisesRegex(hardball.Error, "shrink = true"):
+                hardball.Simulation.from_file(path)
+            with self.assertWarnsRegex(UserWarning, "multiplied by 0.99999"):
+                simulation = hardball.Simulation.from_file(path, overrides={"start.shrink": True})
+        np.testing.assert_allclose(simulation.radii, 0.999999 / 2, rtol=1e-15)
+        np.testing.assert_allclose(simulation.masses, 2 * np.pi / 6, rtol=1e-15)
+        self.assertEqual(simulation.velocities[0, 0], 1)
+
     def test_from_extended_xyz_and_ase(self):
         import ase.io
 

@@ -121,11 +121,11 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
 }
 
 TEST_F(Convert, TellsOfTheOthersWhatFilesHold) {
-  write_text(folder_ / "notes.txt", "mine");
-  const Outcome outcome = run_program(folder_, {"info", "notes.txt", "missing.hbr", "gas.toml", ".",
+  write_text(folder_ / "notes.md", "mine");
+  const Outcome outcome = run_program(folder_, {"info", "notes.md", "missing.hbr", "gas.toml", ".",
                                                 "out/checkpoint.hbc", "out/summary.json"});
   EXPECT_EQ(outcome.exit_code, 2);
-  expect_parts(outcome.messages, {"notes.txt: unknown file extension", "missing.hbr: the file cannot be read",
+  expect_parts(outcome.messages, {"notes.md: unknown file extension", "missing.hbr: the file cannot be read",
                                   ".: it holds no files of a run"});
   EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 3);
   expect_parts(outcome.output,

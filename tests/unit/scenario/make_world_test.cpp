@@ -334,6 +334,114 @@ TEST(MakeWorld, RefusesTwoSourcesOfVelocities) {
   EXPECT_TRUE(contains(error_of(scenario), "has velocities")) << error_of(scenario);
 }
 
+// A file of GSD without velocities says that they are zero, as one of LAMMPS that has them does.
+TEST(MakeWorld, GivesSpheresThatAreAllAtRestTheVelocitiesOfTheScenario) {
+  const ScratchFolder folder;
+  write_text(folder / "start.csv", "x,y,z,vx,vy,vz,radius\n1,2,3,0,0,0,0.5\n5,5,5,0,0,0,0.5\n");
+  Scenario scenario = make_scenario(Boundary::periodic, 10);
+  scenario.start_file = folder / "start.csv";
+  EXPECT_EQ(make_world(scenario).kinetic_energy(Time(0)), 0);
+  scenario.start_velocity_rule = VelocityRule::temperature;
+  scenario.start_velocity_scale = 2;
+  // Three per sphere and twice half of kT, up to the rounding of some sums.
+  EXPECT_NEAR(make_world(scenario).kinetic_energy(Time(0)), 6, 1e-13);
+}
+
+TEST(MakeWorld, DrawsVelocitiesForTheMassesOfAFile) {
+  const ScratchFolder folder;
+  std::string text = "x,y,z,radius,mass\n";
+  for (int i = 0; i < 400; ++i) {
+    const std::string place = to_text(i % 20 + 0.5) + "," + to_text(i / 20 + 0.5) + ",5,0.1,";
+    text += place + (i == 0 ? "inf" : i % 2 == 0 ? "1" : "16") + "\n";
+  }
+  write_text(folder / "start.csv", text);
+  Scenario scenario = make_scenario(Boundary::periodic, 20);
+  scenario.start_file = folder / "start.csv";
+  scenario.start_velocity_rule = VelocityRule::temperature;
+  scenario.start_velocity_scale = 2;
+  const World world = make_world(scenario);
+  EXPECT_EQ(world.path(0).velocity, Vec3{});
+  double light = 0;
+  double heavy = 0;
+  for (Slot slot = 1; slot < world.size(); ++slot) {
+    const Vec3& velocity = world.path(slot).velocity;
+    (world.mass(slot) == 1 ? light : heavy) += world.mass(slot) * dot(velocity, velocity);
+  }
+  EXPECT_NEAR(light + heavy, 3 * 399 * 2, 1e-9);
+  // Each is a sum of 600 squares of normal numbers: a standard deviation of 6%, of the quotient 8%.
+  EXPECT_NEAR(light / heavy, 1, 0.4);
+}
+
+// Touching spheres, in files of six digits.
+TEST(MakeWorld, ShrinksSpheresThatOverlapIfAsked) {
+  const ScratchFolder folder;
+  write_text(folder / "start.csv",
+             "x,y,z,vx,vy,vz,radius\n1,5,5,1,0,0,0.333334\n1.666667,5,5,0,0,0,0.333334\n"
+             "1,8,5,0,0,0,0.25\n");
+  Scenario scenario = make_scenario(Boundary::periodic, 10);
+  scenario.start_file = folder / "start.csv";
+  EXPECT_GT(audit(make_world(scenario), Time(0)).max_overlap, 1e-6);
+  scenario.shrinks_start = true;
+  std::string notes;
+  const World world = make_world(scenario, {}, [&](const std::string& note) { notes += note; });
+  EXPECT_EQ(audit(world, Time(0)).max_overlap, 0);
+  // To the distance of the two, and no farther than rounding.
+  EXPECT_NEAR(world.base_radius(0), 0.666667 / 2, 1e-15);
+  EXPECT_NEAR(world.base_radius(2) / 0.25, 0.666667 / 0.666668, 1e-15);
+  EXPECT_TRUE(contains(notes, "were multiplied by 0.9999985")) << notes;
+}
+
+TEST(MakeWorld, ShrinksSpheresThatReachThroughWallsIfAsked) {
+  const ScratchFolder folder;
+  write_text(folder / "start.csv", "x,y,z,vx,vy,vz,radius\n0.499999,5,5,1,0,0,0.5\n5,5,5,0,0,0,0.25\n");
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  scenario.start_file = folder / "start.csv";
+  EXPECT_TRUE(contains(error_of(scenario), "reaches through a wall")) << error_of(scenario);
+  EXPECT_TRUE(contains(error_of(scenario), "shrink = true in [start]")) << error_of(scenario);
+  scenario.shrinks_start = true;
+  const World world = make_world(scenario);
+  EXPECT_EQ(audit(world, Time(0)).max_escape, 0);
+  EXPECT_NEAR(world.base_radius(0), 0.499999, 1e-15);
+  EXPECT_NEAR(world.base_radius(1), 0.499999 / 2, 1e-15);
+}
+
+TEST(MakeWorld, ShrinksNothingThatDoesNotOverlap) {
+  const ScratchFolder folder;
+  write_text(folder / "start.csv", "x,y,z,vx,vy,vz,radius\n1,5,5,1,0,0,0.5\n2,5,5,0,0,0,0.5\n");
+  Scenario scenario = make_scenario(Boundary::periodic, 10);
+  scenario.start_file = folder / "start.csv";
+  scenario.shrinks_start = true;
+  std::string notes;
+  const World world = make_world(scenario, {}, [&](const std::string& note) { notes += note; });
+  EXPECT_EQ(world.base_radius(0), 0.5);
+  EXPECT_EQ(notes, "");
+}
+
+TEST(MakeWorld, CannotShrinkSpheresWhoseCentersCoincide) {
+  const ScratchFolder folder;
+  write_text(folder / "start.csv", "x,y,z,radius\n1,5,5,0.5\n1,5,5,0.5\n");
+  Scenario scenario = make_scenario(Boundary::periodic, 10);
+  scenario.start_file = folder / "start.csv";
+  scenario.start_velocity_rule = VelocityRule::temperature;
+  scenario.shrinks_start = true;
+  EXPECT_TRUE(contains(error_of(scenario), "no radius is so small")) << error_of(scenario);
+}
+
+TEST(MakeWorld, DoesNotMissBoundariesThatAFileDoesNotTell) {
+  const ScratchFolder folder;
+  write_text(folder / "start.data",
+             "title\n1 atoms\n1 atom types\n0 10 xlo xhi\n0 10 ylo yhi\n0 10 zlo zhi\n\nAtoms # sphere\n\n"
+             "1 1 1 1 5 5 5\n");
+  for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
+    Scenario scenario = make_scenario(boundary, 10);
+    scenario.start_file = folder / "start.data";
+    scenario.start_velocity_rule = VelocityRule::temperature;
+    std::string notes;
+    make_world(scenario, {}, [&](const std::string& note) { notes += note; });
+    EXPECT_EQ(notes, "");
+  }
+}
+
 TEST(MakeWorld, NamesTheLineOfABadSphereInTheStartFile) {
   const ScratchFolder folder;
   write_text(folder / "start.xyz",

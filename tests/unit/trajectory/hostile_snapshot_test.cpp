@@ -117,7 +117,8 @@ TEST_P(DamagedFile, IsRefusedOrReadWhateverItsBytes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DamagedFile,
-                         testing::Values(".xyz", ".xyz.zst", ".gsd", ".lammpstrj", ".csv", ".npy", ".sph"),
+                         testing::Values(".xyz", ".xyz.zst", ".gsd", ".lammpstrj", ".csv", ".npy", ".sph",
+                                         ".data", ".sph.zst"),
                          [](const testing::TestParamInfo<std::string>& test) {
                            std::string name;
                            for (const char c : test.param)
@@ -144,6 +145,10 @@ TEST(HostileFile, MayNotClaimSpheresThatItDoesNotHave) {
   EXPECT_NE(refusal_of("a.sph", huge + "\n1 1 1\n").find("ends within"), std::string::npos);
   EXPECT_NE(
       refusal_of("a.lammpstrj", "ITEM: NUMBER OF ATOMS\n" + huge + "\nITEM: ATOMS x y z vx vy vz radius\n")
+          .find("ends after 0"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal_of("a.data", "title\n" + huge + " atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\nAtoms\n\n")
           .find("ends after 0"),
       std::string::npos);
   const std::string text = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + huge + ", 7)}\n";
@@ -197,7 +202,7 @@ TEST(HostileFile, MayNotLackTheEndOfItsCompressedData) {
 
 TEST(HostileFile, MayNotHaveEndlessLines) {
   const std::string line(3 << 20, '1');
-  for (const char* name : {"a.xyz", "a.csv", "a.sph", "a.lammpstrj"}) {
+  for (const char* name : {"a.xyz", "a.csv", "a.sph", "a.lammpstrj", "a.data"}) {
     EXPECT_NE(refusal_of(name, line).find("longer than a megabyte"), std::string::npos) << name;
   }
 }

@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/lammps_data.hpp"
+
+#include "fuzz/snapshots.hpp"
+
+void hardball::fuzz::read(std::string_view bytes) {
+  read_frames(bytes, lammps_data_format());
+}
