@@ -106,6 +106,12 @@ std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatisti
         "the space is open along {}: after a time of {:.2g} the spheres have flown apart and hardly meet",
         axes, apart));
   }
+  const bool is_pressed = comes_to_rest(scenario) && !scenario.settles;
+  if (is_pressed && scenario.bounce.elastic_below > 0 && scenario.bounce.contact_duration == 0) {
+    warnings.push_back(
+        "elastic_below alone does not bound the number of contacts of spheres that gravity presses together: "
+        "leave out settle = false, or give contact_duration");
+  }
   if (!may_collapse(scenario)) return warnings;
   const char* when = are_kept_moving(scenario) ? "may end" : "ends";
   const char* unless = "by inelastic collapse, unless settle or contact_duration is set in [response]";

@@ -105,6 +105,11 @@ void check(const EngineOptions& options) {
 }
 
 void check_threads(const EngineOptions& options, const Box& box, const Interactions& interactions) {
+  constexpr std::size_t kMostThreads = 1024;
+  if (options.threads > kMostThreads) {
+    throw Error("there are to be " + to_text(options.threads) + " threads", "threads",
+                "give at most " + to_text(kMostThreads) + ", and no more than there are processors");
+  }
   const std::string_view hindrance = what_prevents_division(box, interactions);
   if (options.threads <= 1 || hindrance.empty()) return;
   throw Error("threads cannot share " + std::string(hindrance), "threads",

@@ -136,6 +136,9 @@ TEST_F(WhatCheckExpects, WarnsOfSpheresThatComeToRest) {
       std::string::npos);
   EXPECT_EQ(notes_of(output(heap, {falls[0], falls[1], "--set", "response.elastic_below=1e-3"})), "");
   EXPECT_EQ(notes_of(output(heap, {falls[0], falls[1], "--set", "response.contact_duration=1e-3"})), "");
+  Arguments pressed = never_settles;
+  pressed.insert(pressed.end(), {"--set", "response.elastic_below=1e-3"});
+  EXPECT_NE(notes_of(output(heap, pressed)).find("elastic_below alone does not bound"), std::string::npos);
   EXPECT_EQ(notes_of(output(heap, {falls[0], falls[1], "--set", "response.restitution=1.0"})), "");
   EXPECT_EQ(notes_of(output(heap, {"--set", "box.gravity=[0.0, -1.0, 0.0]"})), "") << "there is no floor";
   const std::string shaken = heap +

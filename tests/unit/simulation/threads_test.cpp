@@ -66,6 +66,13 @@ TEST(Threads, OfALoadedSimulationAreOneAtFirst) {
   EXPECT_EQ(loaded.event_log_hash(), simulation.event_log_hash());
 }
 
+TEST(Threads, AreRefusedWhereTheyWouldFloodTheMachine) {
+  EXPECT_EQ(problem_of([] { Simulation many(gas(), {.threads = 1025}); }), "there are to be 1025 threads");
+  Simulation one(gas());
+  EXPECT_EQ(problem_of([&] { one.set_threads(std::size_t{1} << 40); }),
+            "there are to be 1099511627776 threads");
+}
+
 TEST(Threads, AreRefusedWhereTheyCannotShareTheWork) {
   World world = gas();
   world.set_interactions(merging());
