@@ -14,7 +14,6 @@
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/progress.hpp"
-#include "apps/cli/rest_watch.hpp"
 #include "apps/cli/run_files.hpp"
 #include "apps/cli/run_report.hpp"
 #include "apps/cli/seconds_since.hpp"
@@ -31,6 +30,7 @@
 #include "hardball/io/read_file.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/scenario/make_world.hpp"
+#include "hardball/scenario/rest_watch.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -43,11 +43,12 @@ void ShownRun::start_scenario(const Options& options, std::uint64_t most_bytes) 
   Start start = set_up(options, scenario);
   write_notes(start.notes, options.quiet);
   Simulation& simulation = start.simulation;
+  RestWatch rest(scenario, totals_of(simulation.world(), simulation.now()), simulation.size());
   const TemporaryFile file;
   RecordingWriter writer = begin_recording(file.path(), scenario, simulation);
   recording_ = std::make_unique<viewer::SharedRecording>(file.path());
   run_ = std::make_unique<viewer::LiveRun>(std::move(simulation), std::move(writer), *recording_,
-                                           *scenario.until, most_bytes);
+                                           *scenario.until, most_bytes, std::move(rest));
 }
 
 }  // namespace hardball::cli

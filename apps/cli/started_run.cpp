@@ -14,7 +14,6 @@
 
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/progress.hpp"
-#include "apps/cli/rest_watch.hpp"
 #include "apps/cli/run_report.hpp"
 #include "apps/cli/seconds_since.hpp"
 #include "apps/cli/start.hpp"
@@ -25,6 +24,7 @@
 #include "hardball/io/checkpoint_file.hpp"
 #include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
+#include "hardball/scenario/rest_watch.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -63,6 +63,7 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
       is_flat_(state.world.box().is_flat()),
       time_(state.at_rest_since ? *scenario.until : state.now.value()),
       at_rest_since_(state.at_rest_since),
+      is_unsettled_(scenario.settles && !state.at_rest_since),
       counters_(state.counters),
       domains_(state.domains),
       windows_(state.windows),
@@ -187,6 +188,7 @@ std::string Summary::table() const {
   add("time", fmt::format("{:.6g}", time_));
   if (at_rest_since_)
     add("  at rest since", fmt::format("{:.6g}: nothing happens after that", *at_rest_since_));
+  if (is_unsettled_) add("  not at rest", "at the end: a heap that is needs a longer run");
   add("collisions", fmt::format("{}", counters_.collision));
   if (mergers_ > 0) add("  mergers", fmt::format("{}", mergers_));
   if (passes_ > 0) add("  passes", fmt::format("{}", passes_));

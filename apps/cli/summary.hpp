@@ -92,6 +92,7 @@ class Summary {
   bool is_flat_;
   double time_;
   std::optional<double> at_rest_since_;
+  bool is_unsettled_;  // though the spheres of the scenario come to rest
   Counters counters_;
   std::size_t domains_;
   WindowCounters windows_;  // in the table alone: files do not depend on the number of threads

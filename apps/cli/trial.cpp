@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "apps/cli/interruption.hpp"
-#include "apps/cli/rest_watch.hpp"
 #include "apps/cli/seconds_since.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/scenario/rest_watch.hpp"
 #include "hardball/scenario/settling_heap.hpp"
 
 namespace hardball::cli {

@@ -28,12 +28,13 @@ std::chrono::duration<double> time_between_chunks(const RecordingWriter& writer)
 }  // namespace
 
 LiveRun::LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording& recording, double until,
-                 std::uint64_t most_bytes)
+                 std::uint64_t most_bytes, RestWatch rest)
     : simulation_(std::move(simulation)),
       writer_(std::move(writer)),
       recording_(&recording),
       until_(until),
-      most_bytes_(most_bytes) {
+      most_bytes_(most_bytes),
+      rest_(std::move(rest)) {
   simulation_.log_contacts([this](const Contact& contact) { writer_.note(contact, simulation_); });
   simulation_.on_velocity_change(
       [this](const VelocityChange& change) { writer_.note(change, simulation_.world()); });
@@ -71,10 +72,17 @@ void LiveRun::advance(const std::stop_token& stop) {
                           " bytes at time " + to_text(simulation_.time());
       return;
     }
-    const RunStatus status = simulation_.run(
-        {.until = Time(until_), .steps = kStepsPerSlice, .stop = [&stop] { return stop.stop_requested(); }});
+    const double now = simulation_.time();
+    rest_.look(now, [&] { return totals_of(simulation_.world(), simulation_.now()); });
+    if (rest_.since()) return;
+    const double next_look = std::min(until_, rest_.next_look(now));
+    const RunStatus status =
+        simulation_.run({.until = Time(next_look), .steps = kStepsPerSlice, .stop = [&stop] {
+                           return stop.stop_requested();
+                         }});
     note_division();
-    if (status != RunStatus::steps_reached) return;
+    const bool has_looked = status == RunStatus::time_reached && simulation_.time() < until_;
+    if (status != RunStatus::steps_reached && !has_looked) return;
     if (Clock::now() < next) continue;
     writer_.flush();
     publish();

@@ -13,6 +13,7 @@
 #include "hardball/packing/jamming.hpp"
 #include "hardball/packing/protocol.hpp"
 #include "hardball/packing/random_start.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {

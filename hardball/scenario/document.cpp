@@ -205,6 +205,20 @@ Node convert(const toml::node& node) {
   return converted;
 }
 
+// A number as people write it, such as .5 and 5., with the digits that TOML wants.
+std::string with_digits(const std::string& value) {
+  const auto is_digit = [&](std::size_t k) {
+    return k < value.size() && std::isdigit(static_cast<unsigned char>(value[k])) != 0;
+  };
+  const std::size_t point = value.find('.');
+  if (point == std::string::npos || value.find_first_not_of("0123456789.+-eE") != std::string::npos)
+    return value;
+  std::string number = value;
+  if (!is_digit(point + 1)) number.insert(point + 1, "0");
+  if (point == 0 || !is_digit(point - 1)) number.insert(point, "0");
+  return number;
+}
+
 // The value of an override: as in TOML, or a plain word, which TOML would require in quotes.
 Node parse_override(const std::string& value, const std::string& where) {
   const auto is_plain = [](char c) {
@@ -274,7 +288,7 @@ void Document::apply_override(const std::string& override_text) {
     throw Error(in_quotes(override_text) + " is not of the form key=value", "--set",
                 "write it like run.until=5");
   }
-  Node value = parse_override(override_text.substr(equals + 1), where);
+  Node value = parse_override(with_digits(override_text.substr(equals + 1)), where);
   overridden_.push_back(key);
   const Location location{static_cast<std::uint32_t>(overridden_.size()), 0, 0};
   set_location(value, location);

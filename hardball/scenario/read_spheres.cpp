@@ -89,7 +89,7 @@ void read_count(const Section& section, const Scenario& scenario, SphereGroup& g
   } else if (has_positions || has_velocities) {
     group.count = has_positions ? group.positions.size() : group.velocities.size();
   } else {
-    section.need("count");
+    section.need("count", "packing_fraction");
   }
   const auto check_list = [&](std::string_view key, std::size_t length) {
     if (length == group.count && length > 0) return;

@@ -59,7 +59,7 @@ void read_box(const Section& section, std::array<Scenario::Axis, kAxes>& all_axe
   if (const auto size = section.find("size")) {
     read_sizes(*size, box);
   } else if (!is_open && !section.find("packing_fraction")) {
-    section.need("size");
+    section.need("size", "packing_fraction");
   }
 }
 

@@ -220,10 +220,11 @@ std::optional<Value> Section::find(std::string_view key) const {
   return Value(*document_, entry->node, description);
 }
 
-Value Section::need(std::string_view key) const {
+Value Section::need(std::string_view key, std::string_view alternative) const {
   if (const std::optional<Value> value = find(key)) return *value;
   throw Error("key " + in_quotes(key) + " is missing in " + keys_->title, location(),
-              "add it, such as " + std::string(key) + " = " + std::string(description(key).example));
+              "add it, such as " + std::string(key) + " = " + std::string(description(key).example) +
+                  (alternative.empty() ? "" : ", or " + std::string(alternative)));
 }
 
 std::optional<Section> Section::section(std::string_view key) const {

@@ -66,8 +66,8 @@ class Section {
   std::string location() const { return document_->text_of(node_->location); }
 
   std::optional<Value> find(std::string_view key) const;
-  /// Error: there is no such key.
-  Value need(std::string_view key) const;
+  /// Error: there is no such key, of which `alternative` names another that would do, if there is one.
+  Value need(std::string_view key, std::string_view alternative = "") const;
   /// The table of this name, none if it is missing.
   std::optional<Section> section(std::string_view key) const;
   /// The tables of this name, none if they are missing.

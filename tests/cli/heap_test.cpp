@@ -103,6 +103,28 @@ TEST_F(Heap, IsTheSameWhereverTheRunIsCut) {
   EXPECT_EQ(summary(scenario, {"--threads", "2"})["event_log_hash"], whole["event_log_hash"]);
 }
 
+TEST_F(Heap, IsShownAsFarAsItMoves) {
+  const json found = summary(discs_in_room("restitution = 0.5\n"));
+  const Outcome shown = run_program(folder_, {"replay", "heap.toml", "--out", "heap.html"});
+  ASSERT_EQ(shown.exit_code, 0) << shown.messages;
+  EXPECT_NE(shown.output.find(", " + to_string(found["events"]["collision"]) + " collisions"),
+            std::string::npos)
+      << shown.output;
+}
+
+TEST_F(Heap, ThatIsNotAtRestIsSaid) {
+  const std::string scenario = discs_in_room("restitution = 0.5\n");
+  write_text(folder_ / "heap.toml", scenario);
+  const auto says_so = [&](const Arguments& more) {
+    Arguments arguments{"run", "heap.toml", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(folder_, arguments).output.find("  not at rest") != std::string::npos;
+  };
+  EXPECT_TRUE(says_so({"--until", "1"}));
+  EXPECT_FALSE(says_so({}));
+  EXPECT_FALSE(says_so({"--until", "1", "--set", "response.restitution=1.0"}));
+}
+
 TEST_F(Heap, BallAtRestOnTheFloorStays) {
   const std::string ball = "radius = 0.1\npositions = [[0.0, 0.0, 0.1]]\nvelocities = [[0.0, 0.0, 0.0]]\n";
   for (const char* const rule : {"restitution = 0.8\n", "restitution = 0.8\nelastic_below = 0.001\n",

@@ -333,6 +333,9 @@ TEST(Overrides, TakePlainWordsAsStrings) {
 
 TEST(Overrides, ApplyInOrder) {
   EXPECT_EQ(parse(kLeast, {"run.until=5", "run.until=6"}).until, 6);
+  EXPECT_EQ(parse(kLeast, {"run.until=.5"}).until, 0.5);
+  EXPECT_EQ(parse(kLeast, {"run.until=5."}).until, 5);
+  EXPECT_EQ(parse(kLeast, {"run.until=5.e2"}).until, 500);
 }
 
 TEST(LoadScenario, ReadsAFile) {

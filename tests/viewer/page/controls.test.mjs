@@ -26,6 +26,7 @@ temperature = 0.1
 [response]
 restitution = 0.6
 elastic_below = 0.02
+settle = false
 
 [run]
 until = 60.0

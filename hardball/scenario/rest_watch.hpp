@@ -9,12 +9,14 @@
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/theory/rest.hpp"
 
-namespace hardball::cli {
+namespace hardball {
 
 /// Watches whether the spheres of a run have come to rest, from when on nothing more happens. What it sees
 /// depends on the state at its times alone, and so is the same in a resumed run.
 class RestWatch {
  public:
+  /// Watches nothing.
+  RestWatch() = default;
   /// `totals`: of all `spheres` at any time. Watches nothing unless the scenario settles.
   RestWatch(const Scenario& scenario, const Totals& totals, std::size_t spheres) {
     if (scenario.settles && spheres > 0)
@@ -38,4 +40,4 @@ class RestWatch {
   std::optional<double> since_;
 };
 
-}  // namespace hardball::cli
+}  // namespace hardball
