@@ -45,8 +45,8 @@ struct EngineOptions {
   /// are_meaningful.
   UnitCosts unit_costs = {};
   /// How many threads work on one system; zero for as many as pay, of which there is one where they cannot
-  /// share the work. Error: more than 1,024; several where spheres merge, the response is a function, there are potentials of
-  /// steps, or the box is sheared.
+  /// share the work. Error: more than 1,024; several where spheres merge, the response is a function, there
+  /// are potentials of steps, or the box is sheared.
   std::size_t threads = 1;
   /// Instead of `threads`, for tests and measurements: a division into domains.
   std::optional<Division> division = {};
@@ -56,7 +56,8 @@ struct EngineOptions {
 
 /// Error: options that are valid for no world; see EngineOptions.
 HARDBALL_EXPORT void check(const EngineOptions& options);
-/// Error: more than 1,024 threads are wanted, or more than one, and the box or what happens at contacts does not allow that.
+/// Error: more than 1,024 threads are wanted, or more than one, and the box or what happens at contacts does
+/// not allow that.
 void check_threads(const EngineOptions& options, const Box& box, const Interactions& interactions);
 
 }  // namespace hardball
