@@ -88,7 +88,10 @@ std::string GsdReader::chunk(std::size_t frame, Chunk chunk, Type type, std::uin
                              std::uint64_t columns) {
   const gsd::Entry* entry = entry_of(frame, chunk);
   if (!entry) return {};
-  if (entry->type != static_cast<std::uint8_t>(type) || entry->rows != rows || entry->columns != columns) {
+  // The package gsd of Python writes bonds with a sign, which the schema does not have.
+  const bool has_type = entry->type == static_cast<std::uint8_t>(type) ||
+                        (type == Type::uint32 && entry->type == static_cast<std::uint8_t>(Type::int32));
+  if (!has_type || entry->rows != rows || entry->columns != columns) {
     throw Error(
         "chunk " + std::string(name_of(chunk)) + " of frame " + to_text(frame) + " has another type or shape",
         file_.name(), kGiveGsd);
@@ -179,7 +182,9 @@ Snapshot GsdReader::read(std::size_t frame) {
   if (!time.empty() && !std::isnan(double_at(time, 0))) snapshot.time = double_at(time, 0);
   const std::string exact = exact_chunk(frame, Chunk::position, Chunk::exact_position, count, kAxes);
   // The single precision positions must be there: their chunk bounds how many spheres there may be.
-  const std::string positions = chunk(frame, Chunk::position, Type::float32, count, kAxes);
+  std::string positions = chunk(frame, Chunk::position, Type::float32, count, kAxes);
+  // A single sphere may be at the origin, which is what the schema means by no positions.
+  if (positions.empty() && count == 1) positions.assign(kAxes * sizeof(float), '\0');
   if (positions.empty() && count > 0) {
     throw Error("frame " + to_text(frame) + " has no positions", file_.name(), kGiveGsd);
   }

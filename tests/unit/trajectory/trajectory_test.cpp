@@ -550,6 +550,19 @@ TEST(GsdOfOthers, HasAUnitCubeWhereItSaysNothing) {
   EXPECT_EQ(snapshot.spheres.at(0).position, (Vec3{0.75, 0.5, 0.5}));
 }
 
+// As the package gsd of Python writes what equals the defaults of the schema, and bonds.
+TEST(GsdOfOthers, MayLeaveOutTheOriginAndGiveBondsASign) {
+  GsdChunks chunks;
+  chunks.add(0, gsd::Chunk::box, 1, {8, 8, 8, 0, 0, 0});
+  chunks.add<std::uint32_t>(0, gsd::Chunk::count, gsd::Type::uint32, 1, {1});
+  chunks.add<std::uint32_t>(1, gsd::Chunk::count, gsd::Type::uint32, 1, {2});
+  chunks.add(1, gsd::Chunk::position, 3, {0, 0, 0, 1, 0, 0});
+  chunks.add<std::uint32_t>(1, gsd::Chunk::bond_count, gsd::Type::uint32, 1, {1});
+  chunks.add<std::uint32_t>(1, gsd::Chunk::bonds, gsd::Type::int32, 2, {0, 1});
+  EXPECT_EQ(frame_of(chunks, 0).spheres.at(0).position, (Vec3{4, 4, 4}));
+  EXPECT_EQ(frame_of(chunks, 1).bonds, (std::vector<std::array<std::int64_t, 2>>{{0, 1}}));
+}
+
 TEST(GsdOfOthers, IsNotReadWithExactNumbersOfAnotherFrame) {
   GsdChunks chunks;
   const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
