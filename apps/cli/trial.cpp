@@ -39,7 +39,7 @@ double contacts_of_heap(const Scenario& scenario, const GasStatistics& statistic
   const double time = std::clamp(end, fall, std::max(rest, fall)) - fall;
   constexpr double kDensityOfHeaps = 0.6;
   const double layers = statistics.packing_fraction() / kDensityOfHeaps * height / diameter;
-  const double duration = kPartOfFall * std::sqrt(diameter / gravity);
+  const double duration = kSettlingDuration * std::sqrt(diameter / gravity);
   return static_cast<double>(statistics.spheres) * 0.25 * std::sqrt(layers) * time / duration;
 }
 

@@ -67,7 +67,7 @@ double Bounce::contact_duration(const Contact& contact) const {
   if (rules_.settle_under == 0) return rules_.contact_duration;
   const double radius =
       contact.is_collision() ? std::min(contact.first_radius, contact.second_radius) : contact.first_radius;
-  return std::max(rules_.contact_duration, kPartOfFall * std::sqrt(2 * radius / rules_.settle_under));
+  return std::max(rules_.contact_duration, kSettlingDuration * std::sqrt(2 * radius / rules_.settle_under));
 }
 
 double Bounce::coefficient_at(const Contact& contact) const {

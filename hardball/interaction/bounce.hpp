@@ -11,9 +11,9 @@
 
 namespace hardball {
 
-/// For how long a weight that is borne lies off what bears it, over sqrt(d / g) [1]; see
+/// The time within which contacts of spheres that settle are elastic, over sqrt(d / g) [1]; see
 /// BounceRules::settle_under.
-inline constexpr double kPartOfFall = 0.01;
+inline constexpr double kSettlingDuration = 0.01;
 
 /// How bodies bounce off each other.
 struct BounceRules {

@@ -15,17 +15,17 @@ namespace {
 constexpr const char* kTooShort = "the run has too few independent parts to estimate its error";
 constexpr const char* kFromTheStart = "it is over the whole run and the start still had its initial order";
 
-// The temperature sets the scale of time, and of nothing else.
-bool depends_on_temperature(const Quantity& quantity) {
-  return quantity.unit.find('T') != std::string::npos;
-}
-
 // The exponent of time in a unit.
 int power_of_time(const std::string& unit) {
   const std::size_t time = unit.find('T');
   if (time == std::string::npos) return 0;
   const bool has_exponent = time + 1 < unit.size() && unit[time + 1] == '^';
   return has_exponent ? std::stoi(unit.substr(time + 2)) : 1;
+}
+
+// The temperature sets the scale of time, and of nothing else.
+bool depends_on_temperature(const Quantity& quantity) {
+  return power_of_time(quantity.unit) != 0;
 }
 
 // A number with the unit of a power of time is proportional to as many inverse roots of the temperature.

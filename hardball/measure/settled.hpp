@@ -9,8 +9,8 @@ namespace hardball {
 /// By how much means differ among runs whose starts were drawn with other random numbers, as their energy is
 /// that of the start. All are zero where the energy of the start is prescribed, or does not last.
 struct StartSpread {
-  /// Standard deviation of the temperature at which runs settle, over that temperature [1]; at most so large,
-  /// and at least half of it.
+  /// Standard deviation of the temperature at which runs settle, over that temperature [1]; an
+  /// upper estimate, up to twice too large.
   double temperature = 0;
   /// By how much, relative to the temperature, it moves numbers that depend on where the spheres are [1].
   double sensitivity_of_places = 0;

@@ -23,6 +23,7 @@ class HARDBALL_EXPORT Rest {
   double next_look(double now) const;
   /// Whether `time` [T] is one at which to look; never at the start, where spheres may hang in the air.
   bool is_time_to_look(double time) const;
+  /// Whether spheres with these totals are at rest.
   bool is_reached(const Totals& totals) const;
 
  private:

@@ -19,7 +19,7 @@ struct Totals {
   std::array<ExactSum, kAxes> momentum;  ///< [M L/T]
   ExactSum sphere_volume;                ///< [L^3], in two dimensions [L^2].
   ExactSum mass;                         ///< Without kinematic spheres [M].
-  /// Of the fastest sphere, at the moment or when its velocity last changed [L/T].
+  /// The highest speed that a sphere has, or had when its velocity last changed [L/T].
   double highest_speed = 0;
 
   /// Adds a sphere as it is at `moment`.
