@@ -182,10 +182,10 @@ double length_of(const Outlook& outlook) {
 
 }  // namespace
 
-ExitCode check(const Options& options) {
+ExitCode check(const CheckOptions& options) {
   catch_signals();
-  const Scenario scenario = read_scenario(options);
-  const Outlook outlook = look_ahead(options, scenario);
+  const Scenario scenario = read_scenario(options.scenario);
+  const Outlook outlook = look_ahead(options.engine, scenario, options.quiet);
   write_notes(outlook.notes, options.quiet);
   const Simulation& simulation = outlook.simulation;
   const GasStatistics& statistics = outlook.statistics;

@@ -15,19 +15,19 @@ enum class ExitCode : int {
 };
 
 /// Each executes a command. Error: bad input; RunFailure: the run failed.
-ExitCode run(const Options& options);
-ExitCode resume(const Options& options);
+ExitCode run(const RunOptions& options);
+ExitCode resume(const ResumeOptions& options);
 /// The same in several processes, which call them with the same options: only the first one writes messages,
 /// and files but for checkpoints. Error: in all processes; the scenario asks for what processes cannot share.
-ExitCode run_distributed(const Options& options, Processes& processes);
-ExitCode resume_distributed(const Options& options, Processes& processes);
-ExitCode verify(const Options& options);
-ExitCode check(const Options& options);
-ExitCode tune(const Options& options);
-ExitCode pack(const Options& options);
-ExitCode convert(const Options& options);
-ExitCode info(const Options& options);
-ExitCode view(const Options& options);
-ExitCode replay(const Options& options);
+ExitCode run_distributed(const RunOptions& options, Processes& processes);
+ExitCode resume_distributed(const ResumeOptions& options, Processes& processes);
+ExitCode verify(const VerifyOptions& options);
+ExitCode check(const CheckOptions& options);
+ExitCode tune(const TuneOptions& options);
+ExitCode pack(const PackOptions& options);
+ExitCode convert(const ConvertOptions& options);
+ExitCode info(const InfoOptions& options);
+ExitCode view(const ViewOptions& options);
+ExitCode replay(const ReplayOptions& options);
 
 }  // namespace hardball::cli

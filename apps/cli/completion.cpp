@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/cli/arguments.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
 
@@ -17,11 +16,6 @@ namespace hardball::cli {
 namespace {
 
 using Argument = Command::Argument;
-
-struct Description {
-  Command program;
-  std::vector<Command> commands;
-};
 
 std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
@@ -57,10 +51,10 @@ std::string bash_clause(const std::vector<std::string>& patterns, const std::vec
   return fmt::format("    {}) {};;\n", fmt::join(patterns, " | "), action);
 }
 
-std::string bash_script(const Description& all) {
+std::string bash_script(const Command& program) {
   std::string values;
   std::string words;
-  for (const Command& command : all.commands) {
+  for (const Command& command : program.commands) {
     std::vector<std::string> free;
     for (const Argument& option : command.options) {
       if (option.value.empty()) continue;
@@ -78,8 +72,8 @@ std::string bash_script(const Description& all) {
       if (!positional.choices.empty()) words += bash_clause({"'" + command.name + " '*"}, positional.choices);
     }
   }
-  words += bash_clause({"' -'*"}, names_of(all.program.options));
-  words += bash_clause({"' '*"}, names_of(all.commands));
+  words += bash_clause({"' -'*"}, names_of(program.options));
+  words += bash_clause({"' '*"}, names_of(program.commands));
 
   constexpr std::string_view kScript =
       R"(# Completes the command lines of hardball in bash, which gives names of files where there are no words.
@@ -102,7 +96,7 @@ _hardball() {{
 }}
 complete -o default -F _hardball hardball
 )";
-  return fmt::format(kScript, fmt::arg("commands", fmt::join(names_of(all.commands), " | ")),
+  return fmt::format(kScript, fmt::arg("commands", fmt::join(names_of(program.commands), " | ")),
                      fmt::arg("values", values), fmt::arg("words", words));
 }
 
@@ -137,10 +131,10 @@ std::string zsh_option(const Argument& option) {
   return text;
 }
 
-std::string zsh_script(const Description& all) {
+std::string zsh_script(const Command& program) {
   std::string commands;
   std::string cases;
-  for (const Command& command : all.commands) {
+  for (const Command& command : program.commands) {
     commands += fmt::format(" \\\n        '{}:{}'", command.name, zsh_text(command.description));
     cases += fmt::format("      {})\n        _arguments", command.name);
     for (const Argument& option : command.options) cases += zsh_option(option);
@@ -151,7 +145,7 @@ std::string zsh_script(const Description& all) {
     cases += " ;;\n";
   }
   std::string options;
-  for (const Argument& option : all.program.options) options += zsh_option(option);
+  for (const Argument& option : program.options) options += zsh_option(option);
 
   constexpr std::string_view kScript = R"(#compdef hardball
 # Completes the command lines of hardball in zsh.
@@ -198,11 +192,11 @@ std::string fish_option(const std::string& condition, const Argument& option) {
   return line + fish_choices(option) + " -d " + fish_text(option.description) + "\n";
 }
 
-std::string fish_script(const Description& all) {
+std::string fish_script(const Command& program) {
   std::string text = "# Completes the command lines of hardball in fish.\n";
   const std::string no_command = "__fish_use_subcommand";
-  for (const Argument& option : all.program.options) text += fish_option(no_command, option);
-  for (const Command& command : all.commands) {
+  for (const Argument& option : program.options) text += fish_option(no_command, option);
+  for (const Command& command : program.commands) {
     text += fmt::format("complete -c hardball -n {} -f -a {} -d {}\n", no_command, command.name,
                         fish_text(command.description));
     const std::string condition = "__fish_seen_subcommand_from " + command.name;
@@ -218,16 +212,15 @@ std::string fish_script(const Description& all) {
 
 }  // namespace
 
-ExitCode print_completion(const Options& options, const CLI::App& program) {
-  const Description all{describe(program), describe_commands(program)};
-  if (options.shell == "bash") {
-    write_output(bash_script(all));
-  } else if (options.shell == "zsh") {
-    write_output(zsh_script(all));
-  } else if (options.shell == "fish") {
-    write_output(fish_script(all));
+ExitCode print_completion(const std::string& shell, const Command& program) {
+  if (shell == "bash") {
+    write_output(bash_script(program));
+  } else if (shell == "zsh") {
+    write_output(zsh_script(program));
+  } else if (shell == "fish") {
+    write_output(fish_script(program));
   } else {
-    throw Error("there is no completion for '" + shortened(options.shell) + "'", "command line",
+    throw Error("there is no completion for '" + shortened(shell) + "'", "command line",
                 "choose one of bash, zsh, fish");
   }
   return ExitCode::done;

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <string>
 
-#include "apps/cli/commands.hpp"
-#include "apps/cli/options.hpp"
+#include "apps/cli/command_line.hpp"
 
 namespace hardball::cli {
 
-/// Prints the script by which the shell `options.shell` completes commands, options and words to choose from
+/// Prints the script by which a shell completes commands, options and words to choose from
 /// of the program. Error: an unknown shell; RunFailure: the script cannot be written.
-ExitCode print_completion(const Options& options, const CLI::App& program);
+ExitCode print_completion(const std::string& shell, const Command& program);
 
 }  // namespace hardball::cli

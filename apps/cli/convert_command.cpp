@@ -23,7 +23,7 @@ struct Frames {
   std::size_t end = 0;
 };
 
-Frames chosen_frames(const Options& options, std::size_t count, SnapshotFormat format) {
+Frames chosen_frames(const ConvertOptions& options, std::size_t count, SnapshotFormat format) {
   if (options.frame) {
     const auto frame = parse_number<std::size_t>(*options.frame, "--frame", "give a number from 0 on");
     if (frame < count) return {frame, frame + 1};
@@ -35,16 +35,16 @@ Frames chosen_frames(const Options& options, std::size_t count, SnapshotFormat f
 
 }  // namespace
 
-ExitCode convert(const Options& options) {
+ExitCode convert(const ConvertOptions& options) {
   const std::filesystem::path in = options.in;
-  const std::filesystem::path out = *options.out;
+  const std::filesystem::path out = options.out;
   const SnapshotFormat format = format_of(out);
   const std::unique_ptr<SnapshotReader> reader = open_snapshots(in);
   std::error_code missing;
   if (std::filesystem::equivalent(in, out, missing)) {
     throw Error("the file would overwrite the one it is made from", out.string(), "name another file");
   }
-  refuse_to_overwrite(out, options);
+  refuse_to_overwrite(out, options.overwrite);
   const Frames frames = chosen_frames(options, reader->frames(), format);
   Snapshot snapshot = reader->read(frames.begin);
   if (!snapshot.has_velocities)

@@ -61,20 +61,21 @@ void leave_out_measures(Scenario& scenario) {
   scenario.report = false;
 }
 
-void tell_of_left_out_measures(const Options& options, const Processes& processes) {
-  if (!processes.is_first() || options.quiet) return;
+void tell_of_left_out_measures(const OutputStyle& output, const Processes& processes) {
+  if (!processes.is_first() || output.quiet) return;
   fmt::print(stderr,
              "hardball: several processes leave out measures and report, which need all spheres in one of "
              "them; name measures to have them\n");
 }
 
-std::size_t threads_of(const Options& options) {
-  if (options.threads != "auto") return read_threads(options);
+std::size_t threads_of(const std::string& threads) {
+  if (threads != "auto") return read_threads(threads);
   return 1;
 }
 
 // The same in all processes.
-EngineOptions shared_engine_options(const Options& options, const Scenario& scenario, const World& empty) {
+EngineOptions shared_engine_options(const EngineChoice& options, const Scenario& scenario,
+                                    const World& empty) {
   if (options.cell_edge == "paper")
     throw Error("the paper's cell edge needs all spheres in one process", "--cell-edge",
                 "give auto or a length");
@@ -84,7 +85,7 @@ EngineOptions shared_engine_options(const Options& options, const Scenario& scen
   if (options.queue != "calendar")
     throw Error("several processes have no other queue than the calendar", "--queue", "leave it out");
   EngineOptions engine_options = read_engine_options(options, scenario, empty);
-  engine_options.threads = threads_of(options);
+  engine_options.threads = threads_of(options.threads);
   return engine_options;
 }
 
@@ -120,7 +121,7 @@ std::string named_files(const Scenario& scenario) {
 }
 
 // The scenario, which each process reads by itself: perhaps from the disk of another machine.
-Scenario shared_scenario(Processes& processes, const Options& options) {
+Scenario shared_scenario(Processes& processes, const ScenarioChoice& options) {
   Scenario scenario;
   std::string files;
   in_all(processes, [&] { scenario = read_scenario(options); });
@@ -134,9 +135,10 @@ Scenario shared_scenario(Processes& processes, const Options& options) {
 class DistributedRun {
  public:
   // `notes`: of the start, see Start.
-  DistributedRun(const Options& options, Scenario scenario, DistributedSimulation simulation,
-                 std::vector<std::string> notes)
-      : options_(options),
+  DistributedRun(ScenarioChoice choice, const OutputStyle& output, Scenario scenario,
+                 DistributedSimulation simulation, std::vector<std::string> notes)
+      : choice_(std::move(choice)),
+        output_(output),
         scenario_(std::move(scenario)),
         simulation_(std::move(simulation)),
         notes_(std::move(notes)),
@@ -147,12 +149,12 @@ class DistributedRun {
   }
 
   // Opens the files of a new run, in this directory if there is one.
-  void begin_files(const std::optional<std::filesystem::path>& directory) {
+  void begin_files(const std::optional<std::filesystem::path>& directory, bool may_replace) {
     if (!directory) return;
     directory_ = *directory;
     const std::optional<Simulation> whole = scenario_.recording ? whole_simulation() : std::nullopt;
     in_first(processes_,
-             [&] { files_.emplace(*directory_, scenario_, whole ? &*whole : nullptr, options_.overwrite); });
+             [&] { files_.emplace(*directory_, scenario_, whole ? &*whole : nullptr, may_replace); });
     measures_ = Measures(scenario_.measures);
     follow_if_needed();
   }
@@ -172,7 +174,7 @@ class DistributedRun {
     seconds_before_ = seconds.run;
     kept_ = simulation_.time();
     begin_ = last_checkpoint_ = Clock::now();
-    progress_.emplace(processes_.is_first() && !options_.quiet, *scenario_.until);
+    progress_.emplace(processes_.is_first() && !output_.quiet, *scenario_.until);
     if (directory_ && !has_checkpoint()) write_checkpoint(*directory_ / kCheckpoint);
     const bool is_complete = run_to_end();
     seconds_.run = seconds_before_ + seconds_since(begin_);
@@ -300,8 +302,8 @@ class DistributedRun {
     // Files first: what they lack when the machine stops, no checkpoint refers to.
     in_first(processes_, [&] {
       const FilesState files = files_->save();
-      sections = {{"run", archived(RunState{options_, scenario_.text, scenario_.name, next_snapshot_,
-                                            seconds_, notes_})},
+      sections = {{"run", archived(RunState{choice_, scenario_.text, scenario_.name, next_snapshot_, seconds_,
+                                            notes_})},
                   {"files", archived(files)},
                   {"measures", archived(measures_)}};
     });
@@ -399,7 +401,7 @@ class DistributedRun {
     const std::optional<Simulation> whole =
         is_measured() && scenario_.report ? whole_simulation() : std::nullopt;
     in_first(processes_, [&] {
-      const Summary summary(scenario_, options_.overrides, state, seconds_, notes_);
+      const Summary summary(scenario_, choice_.overrides, state, seconds_, notes_);
       const std::string json = summary.json();
       std::vector<Measurement> measurements;
       if (is_measured()) {
@@ -408,10 +410,10 @@ class DistributedRun {
       }
       std::string html;
       if (whole) {
-        html = to_html(run_report(options_, scenario_, *whole, summary, measurements, is_complete));
+        html = to_html(run_report(choice_, scenario_, *whole, summary, measurements, is_complete));
       }
       if (files_) files_->finish(simulation_.time(), measurements, json, html);
-      write_output(options_.json ? json : summary.table());
+      write_output(output_.json ? json : summary.table());
       if (is_complete) return;
       write_message("interrupted at time " + to_text(simulation_.time()) + " of " +
                     to_text(*scenario_.until) +
@@ -435,7 +437,8 @@ class DistributedRun {
     return whole;
   }
 
-  Options options_;
+  ScenarioChoice choice_;
+  OutputStyle output_;
   Scenario scenario_;
   DistributedSimulation simulation_;
   std::vector<std::string> notes_;
@@ -458,10 +461,10 @@ class DistributedRun {
 
 }  // namespace
 
-ExitCode run_distributed(const Options& options, Processes& processes) {
+ExitCode run_distributed(const RunOptions& options, Processes& processes) {
   const Clock::time_point begin = Clock::now();
   catch_signals();
-  Scenario scenario = shared_scenario(processes, options);
+  Scenario scenario = shared_scenario(processes, options.scenario);
   check_can_be_shared(scenario);
   // Those that a run has by default: with measures the first process has to hold all spheres.
   const std::vector<std::string>& names = scenario.measures.names;
@@ -470,30 +473,30 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
   if (!are_named) leave_out_measures(scenario);
   std::optional<DistributedRun> run;
   {
-    SetUpProgress progress(processes.is_first() && !options.quiet);
+    SetUpProgress progress(processes.is_first() && !options.output.quiet);
     Travelers brought;
     std::vector<std::string> notes;
     World empty = make_part(
         scenario, [&](SphereId id) { return id % processes.size() == processes.rank(); },
         [&](const SphereState& state) { brought.push_back({state}); }, progress.part(0, 1),
         [&](const std::string& note) { notes.push_back(note); });
-    if (processes.is_first()) write_notes(notes, options.quiet);
-    const EngineOptions engine_options = shared_engine_options(options, scenario, empty);
+    if (processes.is_first()) write_notes(notes, options.output.quiet);
+    const EngineOptions engine_options = shared_engine_options(options.engine, scenario, empty);
     DistributedSimulation simulation(processes, std::move(empty), std::move(brought), engine_options);
     if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
-    run.emplace(options, scenario, std::move(simulation), std::move(notes));
+    run.emplace(options.scenario, options.output, scenario, std::move(simulation), std::move(notes));
   }
   std::optional<std::filesystem::path> directory = scenario.output_directory;
   if (options.out) directory = *options.out;
-  if (directory && leaves_out && !are_named) tell_of_left_out_measures(options, processes);
-  run->begin_files(directory);
+  if (directory && leaves_out && !are_named) tell_of_left_out_measures(options.output, processes);
+  run->begin_files(directory, options.overwrite);
   return run->carry_out({.setup = seconds_since(begin)});
 }
 
-ExitCode resume_distributed(const Options& options, Processes& processes) {
+ExitCode resume_distributed(const ResumeOptions& options, Processes& processes) {
   const Clock::time_point begin = Clock::now();
   catch_signals();
-  const std::filesystem::path directory = options.scenario;
+  const std::filesystem::path directory = options.directory;
   const std::filesystem::path path = directory / options.checkpoint.value_or(kCheckpoint);
   std::optional<CheckpointReader> checkpoint;
   RunState state;
@@ -509,23 +512,21 @@ ExitCode resume_distributed(const Options& options, Processes& processes) {
   require_same(processes,
                checkpoint->section("run") + checkpoint->section("files") + checkpoint->section("measures"),
                "checkpoint");
-  if (options.until) state.options.until = options.until;
-  state.options.json = options.json;
-  state.options.quiet = options.quiet;
+  if (options.until) state.choice.until = options.until;
   Scenario scenario =
-      changed_by(state.options, parse_scenario(state.text, state.name, state.options.overrides));
+      changed_by(state.choice, parse_scenario(state.text, state.name, state.choice.overrides));
   check_can_be_shared(scenario);
   if (!measures.is_any_wanted()) {
-    if (!scenario.measures.names.empty()) tell_of_left_out_measures(options, processes);
+    if (!scenario.measures.names.empty()) tell_of_left_out_measures(options.output, processes);
     leave_out_measures(scenario);
   }
-  DistributedSimulation simulation = loaded(*checkpoint, path, threads_of(options), processes);
+  DistributedSimulation simulation = loaded(*checkpoint, path, threads_of(options.threads), processes);
   const double time = simulation.time();
   if (is_whole(directory, time, *scenario.until)) {
-    if (processes.is_first()) tell_of_whole_run(directory, time, options);
+    if (processes.is_first()) tell_of_whole_run(directory, time, options.output);
     return ExitCode::done;
   }
-  DistributedRun run(state.options, scenario, std::move(simulation), std::move(state.notes));
+  DistributedRun run(state.choice, options.output, scenario, std::move(simulation), std::move(state.notes));
   run.continue_files(directory, files, std::move(measures), state.next_snapshot);
   state.seconds.setup += seconds_since(begin);
   return run.carry_out(state.seconds);

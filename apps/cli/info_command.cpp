@@ -187,7 +187,7 @@ std::string about(const std::filesystem::path& path) {
 
 }  // namespace
 
-ExitCode info(const Options& options) {
+ExitCode info(const InfoOptions& options) {
   ExitCode code = ExitCode::done;
   const auto tell = [&](const auto& action) {
     try {

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/cli/arguments.hpp"
 #include "apps/cli/terminal.hpp"
 
 namespace hardball::cli {
@@ -111,14 +110,13 @@ std::string purpose(std::string text) {
 
 }  // namespace
 
-ExitCode print_manual(const CLI::App& program) {
-  const Command whole = describe(program);
+ExitCode print_manual(const Command& program) {
   std::string text = fmt::format(kHead, fmt::arg("version", HARDBALL_VERSION),
-                                 fmt::arg("purpose", purpose(whole.description)));
+                                 fmt::arg("purpose", purpose(program.description)));
   text += ".SH OPTIONS\n";
-  for (const Command::Argument& option : whole.options) text += entry(option);
+  for (const Command::Argument& option : program.options) text += entry(option);
   text += ".SH COMMANDS\n";
-  for (const Command& command : describe_commands(program)) text += section(command);
+  for (const Command& command : program.commands) text += section(command);
   text += kTail;
   write_output(text);
   return ExitCode::done;

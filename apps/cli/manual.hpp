@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
-
-#include "apps/cli/commands.hpp"
+#include "apps/cli/command_line.hpp"
 
 namespace hardball::cli {
 
 /// Prints the manual page of the program, with all commands and options that it has. Error (RunFailure): it
 /// cannot be written.
-ExitCode print_manual(const CLI::App& program);
+ExitCode print_manual(const Command& program);
 
 }  // namespace hardball::cli

@@ -10,43 +10,148 @@
 
 namespace hardball::cli {
 
-/// The command line as written; not every command has every option.
-struct Options {
-  std::string scenario;                ///< Or the output directory of a run.
-  std::string in;                      ///< A file with frames.
-  std::vector<std::string> files;      ///< Of runs, with snapshots, scenarios; or directories.
-  std::vector<std::string> overrides;  ///< Of the form key=value.
-  std::optional<std::string> until;
+class Arguments;
+
+// --- What several commands ask for, as written on the command line. ---
+
+/// A scenario, and how the command line changes it.
+struct ScenarioChoice {
+  std::string path;                    ///< A file; for commands that show runs, also a run's directory.
+  std::vector<std::string> overrides;  ///< Changes of the form key=value.
+  std::optional<std::string> until;    ///< The end of the run [T].
   std::optional<std::string> seed;
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.path, self.overrides, self.until, self.seed);
+  }
+};
+
+/// The engine, and what else affects only the speed.
+struct EngineChoice {
   std::string engine = "auto";
   std::string cell_edge = "auto";
   std::string unit_costs = "auto";
   std::string queue = "calendar";
   std::string instructions = "auto";
   std::string threads = "auto";
-  std::optional<std::string> budget;  ///< Seconds.
-  std::optional<std::string> out;
-  std::optional<std::string> checkpoint;  ///< Relative to the output directory.
-  std::optional<std::string> frame;
-  std::optional<std::string> port;
-  std::optional<std::string> recording_limit;
-  std::string shell;
-  PackingText packing;                ///< What is to be packed.
-  std::vector<std::string> outs;      ///< Files for a packing.
-  std::optional<std::string> report;  ///< A file for the report of a packing.
-  std::optional<std::string> replay;  ///< A file that shows a packing in the viewer.
-  std::optional<std::string> limit;   ///< Seconds.
-  bool dry_run = false;
-  bool polish = false;
+};
+
+/// How a command reports to the terminal.
+struct OutputStyle {
   bool json = false;
   bool quiet = false;
-  bool no_open = false;
-  bool overwrite = false;
-
-  /// What decides how a run continues.
-  static void persist(auto& archive, auto& self) {
-    archive(self.scenario, self.overrides, self.until, self.seed);
-  }
 };
+
+/// A run to be shown by the viewer.
+struct ShownRunChoice {
+  ScenarioChoice scenario;
+  std::string threads = "auto";
+  bool quiet = false;
+};
+
+// --- The options of each command. ---
+
+/// The options of hardball run.
+struct RunOptions {
+  ScenarioChoice scenario;
+  EngineChoice engine;
+  std::optional<std::string> out;
+  OutputStyle output;
+  bool overwrite = false;
+};
+
+/// The options of hardball resume.
+struct ResumeOptions {
+  std::string directory;
+  std::optional<std::string> until;
+  std::optional<std::string> checkpoint;  ///< A path relative to the directory.
+  std::string threads = "auto";
+  OutputStyle output;
+};
+
+/// The options of hardball verify.
+struct VerifyOptions {
+  ScenarioChoice scenario;
+  bool quiet = false;
+};
+
+/// The options of hardball check.
+struct CheckOptions {
+  ScenarioChoice scenario;
+  EngineChoice engine;
+  bool quiet = false;
+};
+
+/// The options of hardball tune.
+struct TuneOptions {
+  ScenarioChoice scenario;
+  std::string unit_costs = "auto";
+  std::optional<std::string> budget;  ///< Seconds.
+  std::optional<std::string> out;
+  bool quiet = false;
+};
+
+/// The options of hardball pack.
+struct PackOptions {
+  PackingText packing;
+  std::vector<std::string> outs;      ///< Files for the spheres.
+  std::optional<std::string> report;  ///< A file for the page about the packing.
+  std::optional<std::string> replay;  ///< A file for the page that shows the packing.
+  std::optional<std::string> limit;   ///< Seconds.
+  std::optional<std::string> checkpoint;
+  std::string threads = "auto";
+  OutputStyle output;
+  bool polish = false;
+  bool dry_run = false;
+  bool overwrite = false;
+};
+
+/// The options of hardball convert.
+struct ConvertOptions {
+  std::string in;
+  std::string out;
+  std::optional<std::string> frame;
+  bool quiet = false;
+  bool overwrite = false;
+};
+
+/// The options of hardball info.
+struct InfoOptions {
+  std::vector<std::string> files;  ///< Files and directories.
+};
+
+/// The options of hardball view.
+struct ViewOptions {
+  ShownRunChoice run;
+  std::optional<std::string> port;
+  std::optional<std::string> recording_limit;  ///< Bytes.
+  bool no_open = false;
+};
+
+/// The options of hardball replay.
+struct ReplayOptions {
+  ShownRunChoice run;
+  std::optional<std::string> out;
+  bool overwrite = false;
+};
+
+/// The options of hardball completion.
+struct CompletionOptions {
+  std::string shell;
+};
+
+/// Declares the arguments of a command, in the order of its help text; parsing the command line sets
+/// `options`.
+void declare(Arguments arguments, RunOptions& options);
+void declare(Arguments arguments, ResumeOptions& options);
+void declare(Arguments arguments, VerifyOptions& options);
+void declare(Arguments arguments, CheckOptions& options);
+void declare(Arguments arguments, TuneOptions& options);
+void declare(Arguments arguments, PackOptions& options);
+void declare(Arguments arguments, ConvertOptions& options);
+void declare(Arguments arguments, InfoOptions& options);
+void declare(Arguments arguments, ViewOptions& options);
+void declare(Arguments arguments, ReplayOptions& options);
+void declare(Arguments arguments, CompletionOptions& options);
 
 }  // namespace hardball::cli

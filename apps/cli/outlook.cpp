@@ -142,9 +142,9 @@ double edge_of_sample(std::span<const SphereGroup> groups, std::size_t dimension
 }
 
 // The engine that so many spheres would get, where the sample alone might get another.
-std::string engine_for(const Options& options, const GasStatistics& statistics) {
-  if (options.engine != "auto" || options.cell_edge != "auto" || are_sizes_spread(statistics))
-    return options.engine;
+std::string engine_for(const EngineChoice& choice, const GasStatistics& statistics) {
+  if (choice.engine != "auto" || choice.cell_edge != "auto" || are_sizes_spread(statistics))
+    return choice.engine;
   const UnitCosts costs;
   const bool has_lists = best_skin(statistics, costs).cost < best_cell_edge(statistics, costs).cost;
   return name_of(has_lists ? EngineKind::neighbors : EngineKind::cells);
@@ -152,9 +152,9 @@ std::string engine_for(const Options& options, const GasStatistics& statistics) 
 
 }  // namespace
 
-Outlook look_ahead(const Options& options, const Scenario& scenario) {
+Outlook look_ahead(const EngineChoice& choice, const Scenario& scenario, bool is_quiet) {
   if (sphere_count(scenario) <= kManySpheres || !std::ranges::all_of(scenario.spheres, can_be_sampled)) {
-    Start start = set_up(options, scenario);
+    Start start = set_up(choice, scenario, is_quiet);
     const GasStatistics statistics = gas_statistics(start.simulation.world(), start.simulation.now());
     return {start.options, std::move(start.simulation), statistics, false, std::move(start.notes)};
   }
@@ -166,9 +166,9 @@ Outlook look_ahead(const Options& options, const Scenario& scenario) {
                 scenario.spheres.front().where, "enlarge the box or shrink the spheres");
   }
   const double edge = edge_of_sample(groups, scenario.dimensions(), statistics.packing_fraction());
-  Options its_options = options;
-  its_options.engine = engine_for(options, statistics);
-  Start start = set_up(its_options, sampled_scenario(scenario, groups, edge));
+  EngineChoice its_choice = choice;
+  its_choice.engine = engine_for(choice, statistics);
+  Start start = set_up(its_choice, sampled_scenario(scenario, groups, edge), is_quiet);
   return {start.options, std::move(start.simulation), statistics, true};
 }
 

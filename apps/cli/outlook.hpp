@@ -24,6 +24,6 @@ struct Outlook {
 /// Sets up the simulation of a scenario; if it has more than a million spheres that are not listed one by one
 /// or read from a file, only that of some ten thousand of them, in a periodic box of the same packing
 /// fraction. Error, RunFailure: as for set_up.
-Outlook look_ahead(const Options& options, const Scenario& scenario);
+Outlook look_ahead(const EngineChoice& choice, const Scenario& scenario, bool is_quiet);
 
 }  // namespace hardball::cli

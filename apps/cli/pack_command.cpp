@@ -44,16 +44,16 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kSection = "packing";
 
 // Error: a file has an unknown extension, or exists already.
-void check_outputs(const Options& options) {
+void check_outputs(const PackOptions& options) {
   for (const std::string& out : options.outs) {
     format_of(out);
-    refuse_to_overwrite(out, options);
+    refuse_to_overwrite(out, options.overwrite);
   }
   for (const auto& page : {options.report, options.replay})
-    if (page) refuse_to_overwrite(*page, options);
+    if (page) refuse_to_overwrite(*page, options.overwrite);
 }
 
-Precision precision_of(const Options& options) {
+Precision precision_of(const PackOptions& options) {
   for (const std::string& out : options.outs)
     if (format_of(out) == SnapshotFormat::gsd) return Precision::singles;
   return Precision::doubles;
@@ -69,13 +69,13 @@ void refuse_request_with_resume(const PackingText& text) {
   }
 }
 
-void write_warnings(std::span<const std::string> warnings, const Options& options) {
+void write_warnings(std::span<const std::string> warnings, const PackOptions& options) {
   std::vector<std::string> notes;
   for (const std::string& warning : warnings) notes.push_back("warning: " + warning);
-  write_notes(notes, options.quiet);
+  write_notes(notes, options.output.quiet);
 }
 
-Packer resumed(const Options& options) {
+Packer resumed(const PackOptions& options) {
   refuse_request_with_resume(options.packing);
   const std::map<std::string, std::string> sections = read_checkpoint_file(*options.checkpoint);
   const auto found = sections.find(kSection);
@@ -83,16 +83,16 @@ Packer resumed(const Options& options) {
     throw Error("the checkpoint is not that of a packing", *options.checkpoint,
                 "name one that pack has written");
   Packer packer = Packer::load(found->second, *options.checkpoint);
-  packer.set_threads(read_threads(options));
+  packer.set_threads(read_threads(options.threads));
   return packer;
 }
 
-Packer begun(const Options& options, const PackingPlan& plan) {
-  SetUpProgress progress(!options.quiet);
-  return Packer(plan, {.threads = read_threads(options)}, progress.part(0, 1));
+Packer begun(const PackOptions& options, const PackingPlan& plan) {
+  SetUpProgress progress(!options.output.quiet);
+  return Packer(plan, {.threads = read_threads(options.threads)}, progress.part(0, 1));
 }
 
-std::filesystem::path checkpoint_of(const Options& options) {
+std::filesystem::path checkpoint_of(const PackOptions& options) {
   if (options.checkpoint) return *options.checkpoint;
   return options.outs.front() + ".checkpoint";
 }
@@ -113,7 +113,7 @@ std::string spheres_text(const PackedSpheres& spheres) {
   return count_of(spheres.size(), spheres.container.dimensions == 2 ? "disc" : "sphere");
 }
 
-void write_pages(const Packing& packing, const Options& options) {
+void write_pages(const Packing& packing, const PackOptions& options) {
   const std::string name = spheres_text(packing.spheres);
   if (options.report) replace_file(*options.report, report::to_html(packing, name, "Hardball " + version()));
 #if HARDBALL_VIEWER
@@ -121,7 +121,7 @@ void write_pages(const Packing& packing, const Options& options) {
 #endif
 }
 
-std::string written_files(const PackedSpheres& spheres, const Options& options) {
+std::string written_files(const PackedSpheres& spheres, const PackOptions& options) {
   std::string text;
   for (const std::string& out : options.outs) text += written_line(out, spheres_text(spheres));
   for (const auto& page : {options.report, options.replay})
@@ -130,13 +130,13 @@ std::string written_files(const PackedSpheres& spheres, const Options& options) 
 }
 
 // Runs to the end, or until the time is spent or a signal comes; from time to time a checkpoint is written.
-void carry_out(const Options& options, Packer& packer, Clock::time_point begin) {
+void carry_out(const PackOptions& options, Packer& packer, Clock::time_point begin) {
   const double limit = options.limit
                            ? parse_number<double>(*options.limit, "--limit", "give a number of seconds")
                            : std::numeric_limits<double>::infinity();
   const bool has_checkpoint = !options.outs.empty();
   constexpr double kCheckpointEvery = 60;
-  PackingProgress progress(!options.quiet);
+  PackingProgress progress(!options.output.quiet);
   auto saved = Clock::now();
   while (!packer.is_over() && !is_interrupted() && seconds_since(begin) < limit) {
     packer.advance();
@@ -151,7 +151,7 @@ void carry_out(const Options& options, Packer& packer, Clock::time_point begin) 
   std::filesystem::remove(checkpoint_of(options), unknown);
 }
 
-void polish_if_wanted(const Options& options, Packing& packing) {
+void polish_if_wanted(const PackOptions& options, Packing& packing) {
   if (!options.polish) return;
   if (!(packing.network.tolerance > 0)) {
     packing.warnings.emplace_back("the spheres have not jammed, and were not polished");
@@ -171,7 +171,7 @@ void polish_if_wanted(const Options& options, Packing& packing) {
 }
 
 // Error: there is no library for linear programs; or spheres will not jam.
-void check_polish(const Options& options, const PackingPlan& plan) {
+void check_polish(const PackOptions& options, const PackingPlan& plan) {
   if (!options.polish) return;
 #if !HARDBALL_POLISH
   throw Error("this program was built without COIN-OR CLP", "--polish",
@@ -186,7 +186,7 @@ void check_polish(const Options& options, const PackingPlan& plan) {
 
 }  // namespace
 
-ExitCode pack(const Options& options) {
+ExitCode pack(const PackOptions& options) {
   const auto begin = Clock::now();
   catch_signals();
   check_outputs(options);
@@ -199,7 +199,7 @@ ExitCode pack(const Options& options) {
     write_warnings(made.warnings, options);
     if (options.dry_run) {
       const double seconds = measured_seconds_per_collision(made);
-      write_output(options.json ? plan_json(made, seconds) : plan_table(made, seconds));
+      write_output(options.output.json ? plan_json(made, seconds) : plan_table(made, seconds));
       return ExitCode::done;
     }
     check_polish(options, made);
@@ -213,7 +213,8 @@ ExitCode pack(const Options& options) {
   for (const std::string& out : options.outs) write(packing.spheres, out);
   write_pages(packing, options);
   const PackingSummary summary{packing, seconds_since(begin), packer->plan().seed, options.outs};
-  write_output(options.json ? summary.json() : summary.table() + written_files(packing.spheres, options));
+  write_output(options.output.json ? summary.json()
+                                   : summary.table() + written_files(packing.spheres, options));
   if (!packer->is_over() && !options.outs.empty()) {
     write_message("interrupted; go on with: hardball pack --resume " + checkpoint_of(options).string() +
                   " --out " + options.outs.front());

@@ -9,10 +9,10 @@
 
 namespace hardball::cli {
 
-void refuse_to_overwrite(const std::filesystem::path& file, const Options& options) {
+void refuse_to_overwrite(const std::filesystem::path& file, bool may_replace) {
   refuse_link(file);
   std::error_code missing;
-  if (options.overwrite || !std::filesystem::is_regular_file(file, missing)) return;
+  if (may_replace || !std::filesystem::is_regular_file(file, missing)) return;
   throw Error("the file exists already", file.string(), "name another file, or replace it with --overwrite");
 }
 

@@ -4,12 +4,10 @@
 
 #include <filesystem>
 
-#include "apps/cli/options.hpp"
-
 namespace hardball::cli {
 
-/// Error: the file exists already, and the command line does not say that it is to be replaced. Devices and
+/// Error: the file exists already, and may not be replaced. Devices and
 /// pipes may always be written to.
-void refuse_to_overwrite(const std::filesystem::path& file, const Options& options);
+void refuse_to_overwrite(const std::filesystem::path& file, bool may_replace);
 
 }  // namespace hardball::cli

@@ -16,14 +16,14 @@
 
 namespace hardball::cli {
 
-ExitCode replay(const Options& options) {
+ExitCode replay(const ReplayOptions& options) {
   using namespace std::chrono_literals;
   if (!options.out) {
     throw Error("no output file is given", "--out", "give one, such as --out replay.html");
   }
-  refuse_to_overwrite(*options.out, options);
+  refuse_to_overwrite(*options.out, options.overwrite);
   catch_signals();
-  const ShownRun shown(options, viewer::kMaxReplayedBytes);
+  const ShownRun shown(options.run, viewer::kMaxReplayedBytes);
   while (!shown.recording().progress().is_finished) {
     if (is_interrupted()) throw RunFailure("interrupted; no replay has been written");
     std::this_thread::sleep_for(20ms);
@@ -32,7 +32,7 @@ ExitCode replay(const Options& options) {
   const viewer::RunProgress progress = shown.recording().progress();
   const std::string contents = count_of(shown.recording().header().spheres, "sphere") + ", " +
                                count_of(progress.collisions, "collision");
-  if (!options.quiet) write_output(written_line(*options.out, contents));
+  if (!options.run.quiet) write_output(written_line(*options.out, contents));
   if (progress.failure) write_message(*progress.failure + "; " + *options.out + " shows it up to there");
   if (progress.damage) write_message(*progress.damage);
   return progress.failure || progress.damage ? ExitCode::failed : ExitCode::done;

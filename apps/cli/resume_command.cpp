@@ -8,9 +8,9 @@
 
 namespace hardball::cli {
 
-ExitCode resume(const Options& options) {
+ExitCode resume(const ResumeOptions& options) {
   catch_signals();
-  const std::filesystem::path directory = options.scenario;
+  const std::filesystem::path directory = options.directory;
   auto run = resumed_run(directory, directory / options.checkpoint.value_or(kCheckpoint), options);
   return run ? carry_out(*run) : ExitCode::done;
 }

@@ -12,12 +12,12 @@
 
 namespace hardball::cli {
 
-ExitCode run(const Options& options) {
+ExitCode run(const RunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   catch_signals();
-  Scenario scenario = read_scenario(options);
-  Start start = set_up(options, scenario);
-  write_notes(start.notes, options.quiet);
+  Scenario scenario = read_scenario(options.scenario);
+  Start start = set_up(options.engine, scenario, options.output.quiet);
+  write_notes(start.notes, options.output.quiet);
   Simulation& simulation = start.simulation;
   std::optional<RunFiles> files;
   if (options.out) {
@@ -28,9 +28,15 @@ ExitCode run(const Options& options) {
   // Measures are written to files.
   Measures measures(files ? scenario.measures : MeasureSettings{.names = {}});
   const std::chrono::duration<double> setup = std::chrono::steady_clock::now() - begin;
-  StartedRun started{
-      options, std::move(scenario),      std::move(simulation), std::move(measures), std::move(files),
-      0,       {.setup = setup.count()}, std::move(start.notes)};
+  StartedRun started{options.scenario,
+                     options.output,
+                     std::move(scenario),
+                     std::move(simulation),
+                     std::move(measures),
+                     std::move(files),
+                     0,
+                     {.setup = setup.count()},
+                     std::move(start.notes)};
   return carry_out(started);
 }
 

@@ -36,11 +36,11 @@ std::string date_now() {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts)};
 }
 
-std::vector<std::string> changes(const Options& options) {
+std::vector<std::string> changes(const ScenarioChoice& choice) {
   std::vector<std::string> all;
-  for (const std::string& change : options.overrides) all.push_back("--set " + change);
-  if (options.until) all.push_back("--until " + *options.until);
-  if (options.seed) all.push_back("--seed " + *options.seed);
+  for (const std::string& change : choice.overrides) all.push_back("--set " + change);
+  if (choice.until) all.push_back("--until " + *choice.until);
+  if (choice.seed) all.push_back("--seed " + *choice.seed);
   return all;
 }
 
@@ -215,15 +215,15 @@ report::SurfaceReport surface_report(const WallSummary& wall) {
 
 }  // namespace
 
-report::Report run_report(const Options& options, const Scenario& scenario, const Simulation& simulation,
-                          const Summary& summary, std::span<const Measurement> measurements,
-                          bool is_complete) {
+report::Report run_report(const ScenarioChoice& chosen, const Scenario& scenario,
+                          const Simulation& simulation, const Summary& summary,
+                          std::span<const Measurement> measurements, bool is_complete) {
   report::Report report;
   report.is_complete = is_complete;
   report.measurements.assign(measurements.begin(), measurements.end());
   report.name = std::filesystem::path(scenario.name).stem().string();
   report.scenario = scenario.text;
-  report.changes = changes(options);
+  report.changes = changes(chosen);
   report.program = "hardball " HARDBALL_VERSION;
   report.date = date_now();
   report.until = *scenario.until;

@@ -13,10 +13,10 @@
 
 namespace hardball::cli {
 
-/// The contents of a run's report at the current time of the simulation. `options` are those of the command
-/// line; `is_complete`: whether the run has come to its end.
-report::Report run_report(const Options& options, const Scenario& scenario, const Simulation& simulation,
-                          const Summary& summary, std::span<const Measurement> measurements,
-                          bool is_complete);
+/// The contents of a run's report at the current time of the simulation. `chosen` is what the command
+/// line says; `is_complete`: whether the run has come to its end.
+report::Report run_report(const ScenarioChoice& chosen, const Scenario& scenario,
+                          const Simulation& simulation, const Summary& summary,
+                          std::span<const Measurement> measurements, bool is_complete);
 
 }  // namespace hardball::cli

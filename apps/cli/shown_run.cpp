@@ -15,33 +15,34 @@
 
 namespace hardball::cli {
 
-ShownRun::ShownRun(const Options& options, std::uint64_t most_bytes) {
-  if (std::filesystem::is_directory(options.scenario)) {
-    open_directory(options);
+ShownRun::ShownRun(const ShownRunChoice& choice, std::uint64_t most_bytes) {
+  if (std::filesystem::is_directory(choice.scenario.path)) {
+    open_directory(choice);
   } else {
-    start_scenario(options, most_bytes);
+    start_scenario(choice, most_bytes);
   }
 }
 
-void ShownRun::open_directory(const Options& options) {
-  const std::filesystem::path directory = options.scenario;
+void ShownRun::open_directory(const ShownRunChoice& choice) {
+  const ScenarioChoice& scenario = choice.scenario;
+  const std::filesystem::path directory = scenario.path;
   const std::filesystem::path path = directory / "recording.hbr";
-  if (options.until || options.seed || !options.overrides.empty() || options.threads != Options().threads) {
+  if (scenario.until || scenario.seed || !scenario.overrides.empty() || choice.threads != "auto") {
     throw Error("is the directory of a run, which --until, --set, --seed and --threads cannot change",
-                options.scenario, "leave them out, or name a scenario");
+                scenario.path, "leave them out, or name a scenario");
   }
   if (!std::filesystem::exists(path)) {
-    throw Error("it has no recording.hbr", options.scenario,
+    throw Error("it has no recording.hbr", scenario.path,
                 "run the scenario with recording = true in [output], or name the scenario itself");
   }
   recording_ = std::make_unique<viewer::SharedRecording>(path, OnDamage::keep_what_comes_before);
   recording_->update(viewer::recorded_progress(*recording_, directory / "summary.json"));
 }
 
-void ShownRun::start_scenario(const Options& options, std::uint64_t most_bytes) {
-  const Scenario scenario = read_scenario(options);
-  Start start = set_up(options, scenario);
-  write_notes(start.notes, options.quiet);
+void ShownRun::start_scenario(const ShownRunChoice& choice, std::uint64_t most_bytes) {
+  const Scenario scenario = read_scenario(choice.scenario);
+  Start start = set_up({.threads = choice.threads}, scenario, choice.quiet);
+  write_notes(start.notes, choice.quiet);
   Simulation& simulation = start.simulation;
   RestWatch rest(scenario, totals_of(simulation.world(), simulation.now()), simulation.size());
   const TemporaryFile file;

@@ -20,13 +20,13 @@ class ShownRun {
   /// `most_bytes` limits the recording of a scenario. Error: a directory without a recording, or with options
   /// that belong to a scenario; see read_scenario and the others in start.hpp; no temporary file can be
   /// created.
-  ShownRun(const Options& options, std::uint64_t most_bytes);
+  ShownRun(const ShownRunChoice& choice, std::uint64_t most_bytes);
 
   const viewer::SharedRecording& recording() const { return *recording_; }
 
  private:
-  void open_directory(const Options& options);
-  void start_scenario(const Options& options, std::uint64_t most_bytes);
+  void open_directory(const ShownRunChoice& choice);
+  void start_scenario(const ShownRunChoice& choice, std::uint64_t most_bytes);
 
   std::unique_ptr<viewer::SharedRecording> recording_;
   std::unique_ptr<viewer::LiveRun> run_;  // ends before the recording

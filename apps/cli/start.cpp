@@ -56,13 +56,13 @@ bool is_worth_measuring(const World& start, const Scenario& scenario) {
 
 }  // namespace
 
-Scenario read_scenario(const Options& options) {
-  return changed_by(options, load_scenario(options.scenario, options.overrides));
+Scenario read_scenario(const ScenarioChoice& choice) {
+  return changed_by(choice, load_scenario(choice.path, choice.overrides));
 }
 
-Scenario changed_by(const Options& options, Scenario scenario) {
-  if (options.until) {
-    const double until = parse_number<double>(*options.until, "--until", "give a time such as 10");
+Scenario changed_by(const ScenarioChoice& choice, Scenario scenario) {
+  if (choice.until) {
+    const double until = parse_number<double>(*choice.until, "--until", "give a time such as 10");
     check_finite(until, "the time", "--until");
     if (until < 0)
       throw Error("the time is " + to_text(until), "--until", "runs start at 0; give a later time");
@@ -72,45 +72,44 @@ Scenario changed_by(const Options& options, Scenario scenario) {
     throw Error("key 'until' is missing in [run]", scenario.name,
                 "add it, or give --until on the command line");
   }
-  if (options.seed) {
-    scenario.seed = parse_number<std::uint64_t>(*options.seed, "--seed",
-                                                "give an integer from 0 to 18446744073709551615");
+  if (choice.seed) {
+    scenario.seed =
+        parse_number<std::uint64_t>(*choice.seed, "--seed", "give an integer from 0 to 18446744073709551615");
     fit_box(scenario);
   }
   return scenario;
 }
 
-EngineOptions read_engine_options(const Options& options, const Scenario& scenario, const World& start) {
+EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& scenario, const World& start) {
   EngineOptions engine_options;
-  engine_options.engine = static_cast<EngineKind>(choose(options.engine, kEngineNames, "--engine"));
-  engine_options.threads = read_threads(options);
-  engine_options.queue = static_cast<QueueKind>(choose(options.queue, kQueueNames, "--queue"));
-  const std::size_t instructions = choose(options.instructions, kInstructionNames, "--instructions");
+  engine_options.engine = static_cast<EngineKind>(choose(choice.engine, kEngineNames, "--engine"));
+  engine_options.threads = read_threads(choice.threads);
+  engine_options.queue = static_cast<QueueKind>(choose(choice.queue, kQueueNames, "--queue"));
+  const std::size_t instructions = choose(choice.instructions, kInstructionNames, "--instructions");
   if (instructions > 0) engine_options.instructions = static_cast<InstructionSet>(instructions - 1);
   const bool has_cells = engine_options.engine != EngineKind::all_pairs;
-  if (options.unit_costs != "auto") {
-    engine_options.unit_costs = read_unit_costs(options.unit_costs);
-  } else if (options.cell_edge == "auto" && has_cells && is_worth_measuring(start, scenario)) {
+  if (choice.unit_costs != "auto") {
+    engine_options.unit_costs = read_unit_costs(choice.unit_costs);
+  } else if (choice.cell_edge == "auto" && has_cells && is_worth_measuring(start, scenario)) {
     engine_options.unit_costs = read_unit_costs("measured");
   }
-  if (options.cell_edge == "paper") {
+  if (choice.cell_edge == "paper") {
     const double edge = paper_cell_edge(gas_statistics(start, Time(0)), engine_options.unit_costs);
     engine_options.cell_edge = allowed_cell_edge(start, engine_options.engine, edge);
-  } else if (options.cell_edge != "auto") {
-    const double edge =
-        parse_number<double>(options.cell_edge, "--cell-edge", "give auto, paper or a length");
+  } else if (choice.cell_edge != "auto") {
+    const double edge = parse_number<double>(choice.cell_edge, "--cell-edge", "give auto, paper or a length");
     check_positive(edge, "the edge", "--cell-edge");
     engine_options.cell_edge = edge;
   }
   return engine_options;
 }
 
-std::size_t read_threads(const Options& options) {
-  if (options.threads == "auto") return 0;
+std::size_t read_threads(const std::string& threads) {
+  if (threads == "auto") return 0;
   constexpr const char* kRemedy = "give auto or a positive number";
-  const auto threads = parse_number<std::size_t>(options.threads, "--threads", kRemedy);
-  if (threads == 0) throw Error("'0' is not accepted", "--threads", kRemedy);
-  return threads;
+  const auto number = parse_number<std::size_t>(threads, "--threads", kRemedy);
+  if (number == 0) throw Error("'0' is not accepted", "--threads", kRemedy);
+  return number;
 }
 
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
@@ -122,21 +121,21 @@ Simulation start_simulation(const Scenario& scenario, World world, const EngineO
   }
 }
 
-void set_threads(Simulation& simulation, const Options& options) {
+void set_threads(Simulation& simulation, const std::string& threads) {
   try {
-    simulation.set_threads(read_threads(options));
+    simulation.set_threads(read_threads(threads));
   } catch (const Error& error) {
     throw_as_of_command_line(error);
   }
 }
 
-Start set_up(const Options& options, const Scenario& scenario) {
+Start set_up(const EngineChoice& choice, const Scenario& scenario, bool is_quiet) {
   constexpr double kWorldMade = 0.5;  // the fraction of the work that this takes
-  SetUpProgress progress(!options.quiet);
+  SetUpProgress progress(!is_quiet);
   std::vector<std::string> notes;
   World world = make_world(scenario, progress.part(0, kWorldMade),
                            [&](const std::string& note) { notes.push_back(note); });
-  const EngineOptions engine_options = read_engine_options(options, scenario, world);
+  const EngineOptions engine_options = read_engine_options(choice, scenario, world);
   return {engine_options,
           start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1)), notes};
 }

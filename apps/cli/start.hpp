@@ -14,25 +14,25 @@ namespace hardball::cli {
 
 /// The scenario with the changes of the command line; `until` is set. Error: see load_scenario; an option
 /// that is not a number or out of range; neither scenario nor command line gives `until`.
-Scenario read_scenario(const Options& options);
+Scenario read_scenario(const ScenarioChoice& choice);
 
-/// A scenario with the changes that `options` makes by --until and --seed. Error: likewise.
-Scenario changed_by(const Options& options, Scenario scenario);
+/// A scenario with the changes that `choice` makes by --until and --seed. Error: likewise.
+Scenario changed_by(const ScenarioChoice& choice, Scenario scenario);
 
 /// The options to run it with. The unit costs for choosing cells are measured if the run is expected to
 /// take long, unless the command line says otherwise. Error: an unknown engine or queue; an edge that is not
 /// a positive number; invalid unit costs.
-EngineOptions read_engine_options(const Options& options, const Scenario& scenario, const World& start);
+EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& scenario, const World& start);
 
 /// As make_simulation, with errors in options located on the command line.
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
                             const OnProgress& on_progress = {});
 
 /// The number of threads that the command line says, zero for as many as pay. Error: it is none.
-std::size_t read_threads(const Options& options);
+std::size_t read_threads(const std::string& threads);
 
 /// Lets a simulation go on with as many threads as the command line says. Error: it cannot have so many.
-void set_threads(Simulation& simulation, const Options& options);
+void set_threads(Simulation& simulation, const std::string& threads);
 
 /// A simulation and how it is run.
 struct Start {
@@ -43,7 +43,7 @@ struct Start {
 
 /// Both of the above for the start of a scenario, with progress shown on the terminal. Error: as for both.
 /// RunFailure: interrupted by a signal.
-Start set_up(const Options& options, const Scenario& scenario);
+Start set_up(const EngineChoice& choice, const Scenario& scenario, bool is_quiet);
 
 /// The engine's name on the command line.
 std::string name_of(EngineKind engine);

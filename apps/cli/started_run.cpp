@@ -59,7 +59,7 @@ class Course {
  public:
   explicit Course(StartedRun& run)
       : run_(run),
-        progress_(!run.options.quiet, *run.scenario.until),
+        progress_(!run.output.quiet, *run.scenario.until),
         seconds_before_(run.seconds.run),
         rest_(run.scenario, totals_of(run.simulation.world(), run.simulation.now()), run.simulation.size()) {
     std::ranges::sort(run_.scenario.checkpoint_at);
@@ -181,17 +181,17 @@ ExitCode carry_out(StartedRun& run) {
   run.measures.sample_the_rest(simulation.world(), simulation.now());
   FinalState state = final_state(run.scenario, simulation);
   state.at_rest_since = course.at_rest_since();
-  const Summary summary(run.scenario, run.options.overrides, state, run.seconds, run.notes);
+  const Summary summary(run.scenario, run.choice.overrides, state, run.seconds, run.notes);
   const std::string json = summary.json();
   if (run.files) {
     const std::vector<Measurement> measurements = run.measures.results(simulation.world(), simulation.now());
     std::string html;
     if (run.scenario.report) {
-      html = to_html(run_report(run.options, run.scenario, simulation, summary, measurements, is_complete));
+      html = to_html(run_report(run.choice, run.scenario, simulation, summary, measurements, is_complete));
     }
     run.files->finish(simulation.time(), measurements, json, html);
   }
-  write_output(run.options.json ? json : summary.table());
+  write_output(run.output.json ? json : summary.table());
   if (is_complete) return ExitCode::done;
   write_message("interrupted at time " + to_text(simulation.time()) + " of " + to_text(*run.scenario.until) +
                 (run.files ? "; 'hardball resume " + run.files->directory().string() + "' resumes it" : ""));
@@ -202,7 +202,7 @@ void write_checkpoint(StartedRun& run, const std::filesystem::path& path) {
   // Files first: what they lack when the machine stops, no checkpoint refers to.
   const FilesState files = run.files->save();
   const std::vector<CheckpointSection> sections{
-      {"run", archived(RunState{run.options, run.scenario.text, run.scenario.name, run.next_snapshot,
+      {"run", archived(RunState{run.choice, run.scenario.text, run.scenario.name, run.next_snapshot,
                                 run.seconds, run.notes})},
       {"files", archived(files)},
       {"simulation", run.simulation.save()},
@@ -218,15 +218,15 @@ bool is_whole(const std::filesystem::path& directory, double time, double until)
   return time == until && is_finished(directory);
 }
 
-void tell_of_whole_run(const std::filesystem::path& directory, double time, const Options& options) {
-  if (options.json) write_output(read_file(directory / kSummary));
-  if (options.quiet) return;
+void tell_of_whole_run(const std::filesystem::path& directory, double time, const OutputStyle& output) {
+  if (output.json) write_output(read_file(directory / kSummary));
+  if (output.quiet) return;
   write_message(directory.string() + ": the run is whole: it has reached its end at time " + to_text(time) +
                 "; --until gives a later one");
 }
 
 std::optional<StartedRun> resumed_run(const std::filesystem::path& directory,
-                                      const std::filesystem::path& checkpoint, const Options& options) {
+                                      const std::filesystem::path& checkpoint, const ResumeOptions& options) {
   require_checkpoint(checkpoint);
   std::map<std::string, std::string> sections = read_checkpoint_file(checkpoint);
   const auto restored = [&](const std::string& section, auto&... objects) {
@@ -234,18 +234,16 @@ std::optional<StartedRun> resumed_run(const std::filesystem::path& directory,
   };
   RunState state;
   restored("run", state);
-  Options& started = state.options;
+  ScenarioChoice& started = state.choice;
   if (options.until) started.until = options.until;
-  started.json = options.json;
-  started.quiet = options.quiet;
   Scenario scenario = changed_by(started, parse_scenario(state.text, state.name, started.overrides));
   const auto begin = Clock::now();
   Simulation simulation = loaded(sections, checkpoint);
-  set_threads(simulation, options);
+  set_threads(simulation, options.threads);
   state.seconds.setup += seconds_since(begin);
   const double time = simulation.time();
   if (is_whole(directory, time, *scenario.until)) {
-    tell_of_whole_run(directory, time, options);
+    tell_of_whole_run(directory, time, options.output);
     return std::nullopt;
   }
   Measures measures;
@@ -254,8 +252,9 @@ std::optional<StartedRun> resumed_run(const std::filesystem::path& directory,
   restored("files", files);
   // Several processes may have begun it without those that one would have by default.
   if (!measures.is_any_wanted()) scenario.measures.names.clear();
-  StartedRun run{std::move(started), std::move(scenario), std::move(simulation), std::move(measures),
-                 std::nullopt,       state.next_snapshot, state.seconds,         std::move(state.notes)};
+  StartedRun run{std::move(started),    options.output,      std::move(scenario),
+                 std::move(simulation), std::move(measures), std::nullopt,
+                 state.next_snapshot,   state.seconds,       std::move(state.notes)};
   run.files.emplace(directory, run.scenario, files);
   // The current one may be later than what the files will hold.
   const std::filesystem::path current = directory / kCheckpoint;

@@ -20,7 +20,8 @@ namespace hardball::cli {
 
 /// A run between its start, or a checkpoint, and its end.
 struct StartedRun {
-  Options options;  ///< With which it was started.
+  ScenarioChoice choice;  ///< With which it was started.
+  OutputStyle output;
   Scenario scenario;
   Simulation simulation;
   Measures measures;
@@ -32,7 +33,7 @@ struct StartedRun {
 
 /// What the section "run" of a checkpoint holds.
 struct RunState {
-  Options options;
+  ScenarioChoice choice;
   std::string text;  ///< Of the scenario.
   std::string name;  ///< Likewise.
   std::uint64_t next_snapshot = 0;
@@ -40,7 +41,7 @@ struct RunState {
   std::vector<std::string> notes;  ///< Of the start.
 
   static void persist(auto& archive, auto& self) {
-    archive(self.options, self.text, self.name, self.next_snapshot, self.seconds);
+    archive(self.choice, self.text, self.name, self.next_snapshot, self.seconds);
     if (archive.version() >= kVersionOfNotes) archive(self.notes);
   }
   static constexpr std::uint32_t kVersionOfNotes = 11;  // of archives
@@ -63,12 +64,12 @@ void write_checkpoint(StartedRun& run, const std::filesystem::path& path);
 bool is_whole(const std::filesystem::path& directory, double time, double until);
 
 /// Says that the run in a directory is whole; with --json, writes its summary to the standard output.
-void tell_of_whole_run(const std::filesystem::path& directory, double time, const Options& options);
+void tell_of_whole_run(const std::filesystem::path& directory, double time, const OutputStyle& output);
 
 /// The run that has written a checkpoint into a directory, with its files truncated to then; nothing if it is
 /// whole, which this says. `until` [T] replaces the end of the run. Error: the checkpoint is missing or
 /// damaged, or the files are; the run has gone beyond its end; another run is writing to the directory.
 std::optional<StartedRun> resumed_run(const std::filesystem::path& directory,
-                                      const std::filesystem::path& checkpoint, const Options& options);
+                                      const std::filesystem::path& checkpoint, const ResumeOptions& options);
 
 }  // namespace hardball::cli

@@ -181,7 +181,7 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   file.close();
 }
 
-double read_budget(const Options& options) {
+double read_budget(const TuneOptions& options) {
   constexpr const char* kRemedy = "give seconds such as 10";
   constexpr double kUsual = 10;
   if (!options.budget) return kUsual;
@@ -213,8 +213,8 @@ void settle(Simulation& simulation, const Scenario& scenario, Budget& budget) {
 
 }  // namespace
 
-ExitCode tune(const Options& options) {
-  const Scenario scenario = read_scenario(options);
+ExitCode tune(const TuneOptions& options) {
+  const Scenario scenario = read_scenario(options.scenario);
   EngineOptions engine_options;
   engine_options.engine = EngineKind::cells;
   engine_options.unit_costs = read_unit_costs(options.unit_costs == "auto" ? "measured" : options.unit_costs);

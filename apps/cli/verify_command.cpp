@@ -155,8 +155,8 @@ double all_pairs_work(const Comparison& comparison, double until) {
 
 }  // namespace
 
-ExitCode verify(const Options& options) {
-  const Scenario scenario = read_scenario(options);
+ExitCode verify(const VerifyOptions& options) {
+  const Scenario scenario = read_scenario(options.scenario);
   EngineOptions engine_options;
   std::vector<std::string> notes;
   Comparison comparison(scenario,

@@ -22,7 +22,7 @@
 namespace hardball::cli {
 namespace {
 
-int read_port(const Options& options) {
+int read_port(const ViewOptions& options) {
   if (!options.port) return 0;
   const std::string remedy = "give a number from 1 to 65535";
   const int port = parse_number<int>(*options.port, "--port", remedy);
@@ -30,7 +30,7 @@ int read_port(const Options& options) {
   return port;
 }
 
-std::uint64_t read_recording_limit(const Options& options) {
+std::uint64_t read_recording_limit(const ViewOptions& options) {
   constexpr double kMax = 1e18;
   if (!options.recording_limit) return 4'000'000'000;
   const std::string remedy = "give a number of bytes such as 4e9";
@@ -61,16 +61,16 @@ void open_browser(std::string url) {
 
 }  // namespace
 
-ExitCode view(const Options& options) {
+ExitCode view(const ViewOptions& options) {
   using namespace std::chrono_literals;
   const int port = read_port(options);
   const std::uint64_t most_bytes = read_recording_limit(options);
   catch_signals();
-  const ShownRun shown(options, most_bytes);
+  const ShownRun shown(options.run, most_bytes);
   const viewer::Server server(shown.recording(), viewer::built_page(), port);
   write_output(server.url() + "\n");
   if (const auto damage = shown.recording().progress().damage) write_message(*damage);
-  write_notes({"open this address in a browser; Ctrl-C ends the viewer"}, options.quiet);
+  write_notes({"open this address in a browser; Ctrl-C ends the viewer"}, options.run.quiet);
   if (!options.no_open && has_display()) open_browser(server.url());
   bool is_told = false;
   while (!is_interrupted()) {
