@@ -28,10 +28,10 @@ EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& sc
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
                             const OnProgress& on_progress = {});
 
-/// The number of threads that the command line says, zero for as many as pay. Error: it is none.
+/// The number of threads that --threads gives as a text, zero for as many as pay. Error: it is none.
 std::size_t read_threads(const std::string& threads);
 
-/// Lets a simulation go on with as many threads as the command line says. Error: it cannot have so many.
+/// Lets a simulation go on with as many threads as --threads gives. Error: it cannot have so many.
 void set_threads(Simulation& simulation, const std::string& threads);
 
 /// A simulation and how it is run.
@@ -41,8 +41,8 @@ struct Start {
   std::vector<std::string> notes;  ///< What make_world has to say about the scenario, a sentence each.
 };
 
-/// Both of the above for the start of a scenario, with progress shown on the terminal. Error: as for both.
-/// RunFailure: interrupted by a signal.
+/// Both of the above for the start of a scenario, with progress shown on the terminal unless
+/// `is_quiet`. Error: as for both. RunFailure: interrupted by a signal.
 Start set_up(const EngineChoice& choice, const Scenario& scenario, bool is_quiet);
 
 /// The engine's name on the command line.
