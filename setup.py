@@ -33,7 +33,7 @@ class BuildWithCMake(build_ext):
 
 
 address = re.search(r'HOMEPAGE_URL "([^"]*)"', (ROOT / "CMakeLists.txt").read_text())[1]
-version = ".".join(re.findall(r"#define HARDBALL_VERSION_\w+ (\d+)", (ROOT / "hardball/version.hpp").read_text()))
+version = ".".join(re.findall(r"#define HARDBALL_VERSION_\w+ (\d+)", (ROOT / "hardball/errors/version.hpp").read_text()))
 setup(
     version=version,
     project_urls={"Homepage": address} if address else {},

@@ -14,11 +14,11 @@ set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/complete.cmake)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What the library links. The program's dependencies are found.
+# What the library links, to which the script above adds what the program needs.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libzstd-dev)
-# The program opens a browser; the library is for a compiler.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xdg-utils, g++, cmake, pkg-config")
+# The program opens a browser, and mpirun starts several processes of it, for which the script adds MPI; the library is
+# for a compiler.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xdg-utils, openmpi-bin, g++, cmake, pkg-config")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact event-driven collision detection among moving spheres")
 set(CPACK_PACKAGE_DESCRIPTION
 "Hardball finds every collision among many moving spheres, exactly and in

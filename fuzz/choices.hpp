@@ -76,7 +76,7 @@ inline std::vector<Told> run_pieces(Simulation& simulation, double until, Choice
     told.push_back({contact.time, contact.first, contact.second, contact.after.first, position});
   };
   const std::size_t observer = choices.below(3);
-  if (observer == 1) simulation.log_contacts([&](const Contact& contact) { tell(contact, {}); });
+  if (observer == 1) simulation.observe({.contact = [&](const Contact& contact) { tell(contact, {}); }});
   if (observer == 2) {
     simulation.on_contact([&](const Contact& contact) { tell(contact, simulation.position(contact.first)); });
   }
@@ -85,7 +85,7 @@ inline std::vector<Told> run_pieces(Simulation& simulation, double until, Choice
     if (choices.below(2) == 0) change(simulation, choices);
   }
   simulation.run({.until = Time(until), .contacts = 30});
-  simulation.log_contacts(nullptr);
+  simulation.observe({});
   simulation.on_contact(nullptr);
   return told;
 }

@@ -68,9 +68,7 @@ void write_seeds_of_world(const std::filesystem::path& corpus, const std::string
   }
   RecordingWriter recording(corpus / "recording" / name, {.has_bodies = true, .name = name},
                             simulation.world());
-  simulation.on_contact([&](const Contact& contact) { recording.note(contact, simulation.world()); });
-  simulation.on_velocity_change(
-      [&](const VelocityChange& change) { recording.note(change, simulation.world()); });
+  simulation.observe(recording_observer(recording, simulation));
   simulation.run(few_contacts(made.until));
   write_text(corpus / "recording_state" / name, without_checksum(recording.save()));
   recording.close(simulation.time());

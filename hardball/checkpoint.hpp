@@ -3,4 +3,5 @@
 #pragma once
 
 /// Saved simulations and measures in files of which nothing can be damaged unnoticed.
+#include "hardball/errors/compilation.hpp"
 #include "hardball/io/checkpoint_file.hpp"

@@ -3,4 +3,5 @@
 #pragma once
 
 /// What listeners and responses are told of a collision or a wall contact, and what a response returns.
+#include "hardball/errors/compilation.hpp"
 #include "hardball/interaction/contact.hpp"

@@ -3,4 +3,5 @@
 #pragma once
 
 /// Every contact of a run in a NumPy file.
+#include "hardball/errors/compilation.hpp"
 #include "hardball/recording/npy_event_log.hpp"

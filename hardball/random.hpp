@@ -3,4 +3,5 @@
 #pragma once
 
 /// Random numbers that are the same on every machine.
+#include "hardball/errors/compilation.hpp"
 #include "hardball/numbers/random.hpp"

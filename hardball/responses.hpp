@@ -4,4 +4,5 @@
 
 /// What happens when spheres touch: restitution, roughness, merging, passing, by pairs of species, or a
 /// function of the caller; and potentials of steps, which act before they touch.
+#include "hardball/errors/compilation.hpp"
 #include "hardball/interaction/interactions.hpp"

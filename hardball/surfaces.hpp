@@ -3,4 +3,5 @@
 #pragma once
 
 /// Walls and obstacles: planes, tubes, hollow spheres, fixed spheres, and what they are made of.
+#include "hardball/errors/compilation.hpp"
 #include "hardball/surfaces/surface.hpp"

@@ -2,9 +2,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/errors/language.hpp"
-
-/// The version of the library, from which the build takes it.
-#define HARDBALL_VERSION_MAJOR 0
-#define HARDBALL_VERSION_MINOR 1
-#define HARDBALL_VERSION_PATCH 0
+/// The version of the library: HARDBALL_VERSION_MAJOR, HARDBALL_VERSION_MINOR and HARDBALL_VERSION_PATCH.
+#include "hardball/errors/version.hpp"

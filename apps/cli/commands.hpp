@@ -15,12 +15,12 @@ enum class ExitCode : int {
 };
 
 /// Each executes a command. Error: bad input; RunFailure: the run failed.
-ExitCode run(const RunOptions& options);
-ExitCode resume(const ResumeOptions& options);
-/// The same in several processes, which call them with the same options: only the first one writes messages,
-/// and files but for checkpoints. Error: in all processes; the scenario asks for what processes cannot share.
-ExitCode run_distributed(const RunOptions& options, Processes& processes);
-ExitCode resume_distributed(const ResumeOptions& options, Processes& processes);
+
+/// Several processes call it with the same options; only the first one writes messages, and files but for
+/// checkpoints. Error: in all processes.
+ExitCode run(const RunOptions& options, Processes& processes);
+/// Likewise for several processes.
+ExitCode resume(const ResumeOptions& options, Processes& processes);
 ExitCode verify(const VerifyOptions& options);
 ExitCode check(const CheckOptions& options);
 ExitCode tune(const TuneOptions& options);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // The program hardball: finds every collision among moving spheres.
-#include <cstdlib>
 #include <exception>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
@@ -15,41 +15,27 @@
 #include "apps/cli/options.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/version.hpp"
-#include "hardball/errors/error.hpp"
-#if HARDBALL_MPI
 #include "apps/mpi/mpi_processes.hpp"
-#include "hardball/distributed/in_all.hpp"
-#endif
+#include "hardball/errors/error.hpp"
+#include "hardball/processes/in_all.hpp"
 
 namespace hardball::cli {
 namespace {
 
-#if !HARDBALL_MPI
-// Error: mpirun has started several copies of a program that does not know of each other. Slurm's variables
-// are no such sign: a job has them, too, where it runs one program after the other.
-void refuse_copies() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-    const char* const size = std::getenv(name);
-    if (!size || std::atoi(size) <= 1) continue;
-    throw Error(
-        "mpirun has started " + std::string(size) +
-            " copies of a program that is built without MPI, each of which would run all of the system",
-        name, "use the program that ./dev mpi builds, build/mpi/hardball, or unset " + std::string(name));
-  }
-}
-#endif
+// What mpirun has made of this process.
+struct Launch {
+  Processes& processes = one_process();
+  std::optional<Error> refusal = {};  // if there are several that do not find each other
+};
 
-// `processes`: if there are several.
-ExitCode parse_and_run(int argument_count, char** arguments, Processes* processes) {
+ExitCode parse_and_run(int argument_count, char** arguments, const Launch& launch) {
+  Processes& processes = launch.processes;
   CommandLine line("hardball", "Finds every collision among moving spheres, exactly and in order.",
                    version_text);
-  line.add<RunOptions>("run", "Run a scenario", [&](const RunOptions& options) {
-    return processes ? run_distributed(options, *processes) : run(options);
-  });
+  line.add<RunOptions>("run", "Run a scenario",
+                       [&](const RunOptions& options) { return run(options, processes); });
   line.add<ResumeOptions>("resume", "Resume a run from its last checkpoint",
-                          [&](const ResumeOptions& options) {
-                            return processes ? resume_distributed(options, *processes) : resume(options);
-                          });
+                          [&](const ResumeOptions& options) { return resume(options, processes); });
   line.add<VerifyOptions>("verify", "Run a scenario with every engine and compare bit by bit", verify);
   line.add<CheckOptions>("check", "Validate a scenario and predict its cost", check);
   line.add<TuneOptions>("tune", "Compare cell sizes: predicted and measured cost", tune);
@@ -68,13 +54,11 @@ ExitCode parse_and_run(int argument_count, char** arguments, Processes* processe
   const std::optional<std::string> command = line.parse(argument_count, arguments);
   if (!command) return ExitCode::done;
   const bool is_run = *command == "run" || *command == "resume";
-  if (processes && !is_run) {
+  if (launch.refusal && is_run) throw Error(*launch.refusal);
+  if (processes.size() > 1 && !is_run) {
     throw Error("several processes have only the commands run and resume", "command line",
                 "start it without mpirun");
   }
-#if !HARDBALL_MPI
-  if (is_run) refuse_copies();
-#endif
   return line.execute(*command);
 }
 
@@ -84,9 +68,9 @@ struct End {
   std::string message = {};
 };
 
-End run_program(int argument_count, char** arguments, Processes* processes) {
+End run_program(int argument_count, char** arguments, const Launch& launch) {
   try {
-    return {parse_and_run(argument_count, arguments, processes)};
+    return {parse_and_run(argument_count, arguments, launch)};
   } catch (const Error& error) {
     return {ExitCode::bad_input, error.what()};
   } catch (const RunFailure& failure) {
@@ -98,22 +82,19 @@ End run_program(int argument_count, char** arguments, Processes* processes) {
   }
 }
 
-ExitCode run_alone(int argument_count, char** arguments) {
-  const End end = run_program(argument_count, arguments, nullptr);
+ExitCode run_alone(int argument_count, char** arguments, const std::optional<Error>& refusal) {
+  const End end = run_program(argument_count, arguments, {.refusal = refusal});
   if (!end.message.empty()) write_message(end.message);
   return end.code;
 }
 
-#if HARDBALL_MPI
-ExitCode run_in_processes(int argument_count, char** arguments) {
-  MpiProcesses processes;
-  if (processes.size() == 1) return run_alone(argument_count, arguments);
+ExitCode run_in_processes(int argument_count, char** arguments, MpiProcesses& processes) {
   std::string line;
   for (int i = 1; i < argument_count; ++i) line += std::string(arguments[i]) + '\0';
   End end;
   try {
     require_same(processes, line, "command line");
-    end = run_program(argument_count, arguments, &processes);
+    end = run_program(argument_count, arguments, {.processes = processes});
   } catch (const Error& error) {
     end = {ExitCode::bad_input, error.what()};
   }
@@ -124,7 +105,18 @@ ExitCode run_in_processes(int argument_count, char** arguments) {
   write_message("process " + to_text(processes.rank()) + ": " + end.message);
   processes.abort(static_cast<int>(end.code));
 }
-#endif
+
+ExitCode run_as_launched(int argument_count, char** arguments) {
+  std::unique_ptr<MpiProcesses> processes;
+  std::optional<Error> refusal;
+  try {
+    processes = MpiProcesses::join_others();
+  } catch (const Error& error) {
+    refusal = error;
+  }
+  return processes ? run_in_processes(argument_count, arguments, *processes)
+                   : run_alone(argument_count, arguments, refusal);
+}
 
 }  // namespace
 }  // namespace hardball::cli
@@ -132,15 +124,10 @@ ExitCode run_in_processes(int argument_count, char** arguments) {
 int main(int argument_count, char** arguments) {
   using namespace hardball;
   cli::secure_streams();
-#if HARDBALL_MPI
-  if (MpiProcesses::may_be_several()) {
-    try {
-      return static_cast<int>(cli::run_in_processes(argument_count, arguments));
-    } catch (const std::exception& error) {
-      cli::write_message(error.what());
-      return static_cast<int>(cli::ExitCode::failed);
-    }
+  try {
+    return static_cast<int>(cli::run_as_launched(argument_count, arguments));
+  } catch (const std::exception& error) {
+    cli::write_message(error.what());
+    return static_cast<int>(cli::ExitCode::failed);
   }
-#endif
-  return static_cast<int>(cli::run_alone(argument_count, arguments));
 }

@@ -8,10 +8,9 @@
 
 namespace hardball::cli {
 
-ExitCode resume(const ResumeOptions& options) {
+ExitCode resume(const ResumeOptions& options, Processes& processes) {
   catch_signals();
-  const std::filesystem::path directory = options.directory;
-  auto run = resumed_run(directory, directory / options.checkpoint.value_or(kCheckpoint), options);
+  auto run = resumed_run(options, processes);
   return run ? carry_out(*run) : ExitCode::done;
 }
 

@@ -133,7 +133,7 @@ std::vector<std::filesystem::path> files_of_run(const std::filesystem::path& dir
 }
 
 RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario,
-                   const Simulation* simulation, bool overwrites)
+                   const Simulation& simulation, bool overwrites)
     : directory_(directory), has_measures_(!scenario.measures.names.empty()) {
   for (const char* name : kTrajectories) {
     const std::filesystem::path trajectory = directory / name;
@@ -182,7 +182,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
     }
     begin(kEvents, scenario.event_log, [&](const Path& path) { events_.emplace(path); });
     begin(kRecording, scenario.recording,
-          [&](const Path& path) { recording_.emplace(begin_recording(path, scenario, *simulation)); });
+          [&](const Path& path) { recording_.emplace(begin_recording(path, scenario, simulation)); });
     for (const char* name : {kSummary, kReport, kCheckpoint}) std::filesystem::remove(directory / name);
     remove_measures(directory / kMeasures);
     remove_checkpoints(directory / kKeptCheckpoints);
@@ -236,19 +236,15 @@ void RunFiles::write_snapshot(std::size_t trajectory, const FrameParts& frame) {
   trajectories_[trajectory].second.append(frame);
 }
 
-void RunFiles::note(const Contact& contact, const Simulation* simulation) {
-  if (events_) events_->append(contact);
-  if (!recording_) return;
-  if (simulation) return recording_->note(contact, *simulation);
-  recording_->note(contact);
-}
-
-void RunFiles::note(const VelocityChange& change, const World& world) {
-  if (recording_) recording_->note(change, world);
-}
-
-void RunFiles::note(const Growth& epoch) {
-  if (recording_) recording_->note(epoch);
+Observer RunFiles::observer(const Simulation& simulation) {
+  Observer observer;
+  if (recording_) observer = recording_observer(*recording_, simulation);
+  if (!events_) return observer;
+  observer.contact = [this, record = observer.contact](const Contact& contact) {
+    events_->append(contact);
+    if (record) record(contact);
+  };
+  return observer;
 }
 
 void RunFiles::keep_current() {

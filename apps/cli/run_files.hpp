@@ -17,6 +17,7 @@
 #include "hardball/measure/measurement.hpp"
 #include "hardball/recording/npy_event_log.hpp"
 #include "hardball/recording/recording_writer.hpp"
+#include "hardball/run/observer.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/trajectory/trajectory.hpp"
@@ -72,7 +73,7 @@ class RunFiles {
   /// Error: that is impossible; one of them is a symbolic link; there are files of an earlier run, and they
   /// are not to be removed; the scenario starts from a file that would be; then nothing created remains.
   /// `simulation`: of which a recording begins; without a recording it may be missing.
-  RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation* simulation,
+  RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation& simulation,
            bool overwrites);
 
   /// Opens the files of a run to continue from a checkpoint; what follows is cut off once something
@@ -93,11 +94,9 @@ class RunFiles {
   /// come in parts.
   void write_snapshot(std::size_t trajectory, const Snapshot& snapshot);
   void write_snapshot(std::size_t trajectory, const FrameParts& frame);
-  /// Appends to the event log and the recording, if there are any; `simulation`: after the contact, needed if
-  /// spheres merge in it; `world`: after the change. Error (RunFailure): they cannot be written.
-  void note(const Contact& contact, const Simulation* simulation = nullptr);
-  void note(const VelocityChange& change, const World& world);
-  void note(const Growth& epoch);
+  /// What appends the contacts and changes of a simulation to the event log and the recording; empty if there
+  /// are neither. Both outlive it. Error (RunFailure), from its functions: they cannot be written.
+  Observer observer(const Simulation& simulation);
   /// Makes the event log and the trajectories complete for readers, at most once a second, so that little is
   /// lost if the process is killed. Error (RunFailure): it cannot be written.
   void keep_current();
@@ -105,9 +104,6 @@ class RunFiles {
   /// unless it is empty. Error (RunFailure): they cannot be written.
   void finish(double time, std::span<const Measurement> measurements, const std::string& summary,
               const std::string& report);
-
-  /// Whether there is a file to which `note` appends.
-  bool has_contacts() const { return events_ || recording_; }
 
  private:
   std::filesystem::path directory_;

@@ -44,7 +44,7 @@ void ShownRun::start_scenario(const ShownRunChoice& choice, std::uint64_t most_b
   Start start = set_up({.threads = choice.threads}, scenario, choice.quiet);
   write_notes(start.notes, choice.quiet);
   Simulation& simulation = start.simulation;
-  RestWatch rest(scenario, totals_of(simulation.world(), simulation.now()), simulation.size());
+  RestWatch rest(scenario, simulation.totals(), simulation.size());
   const TemporaryFile file;
   RecordingWriter writer = begin_recording(file.path(), scenario, simulation);
   recording_ = std::make_unique<viewer::SharedRecording>(file.path());

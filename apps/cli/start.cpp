@@ -4,18 +4,24 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/unit_costs.hpp"
+#include "hardball/archive/archive.hpp"
+#include "hardball/domains/traveler.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/io/read_file.hpp"
+#include "hardball/processes/in_all.hpp"
+#include "hardball/run/make_engine.hpp"
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/nearest_name.hpp"
-#include "hardball/simulation/any_engine.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
@@ -47,14 +53,48 @@ bool is_worth_measuring(const World& start, const Scenario& scenario) {
   return rate * static_cast<double>(start.size()) * *scenario.until > kLong;
 }
 
-// Throws an error in an option of the engine as one in that of the command line.
-[[noreturn]] void throw_as_of_command_line(const Error& error) {
-  if (error.where() == "cell edge") throw Error(error.problem(), "--cell-edge", error.remedy());
-  if (error.where() == "threads") throw Error(error.problem(), "--threads", error.remedy());
-  throw error;
+// The contents of the files that a scenario names.
+std::string named_files(const Scenario& scenario) {
+  std::string contents;
+  const auto add = [&](const std::filesystem::path& file) { contents += archived(read_file(file)); };
+  if (scenario.start_file) add(*scenario.start_file);
+  for (const SphereGroup& group : scenario.spheres) {
+    if (group.distribution && !group.distribution->file.empty()) add(group.distribution->file);
+  }
+  for (const auto& bond : scenario.bonds) {
+    if (bond.file) add(*bond.file);
+  }
+  return contents;
+}
+
+// Those of the first process: each would measure others.
+UnitCosts shared_unit_costs(const std::string& choice, Processes& processes) {
+  UnitCosts costs;
+  in_first(processes, [&] { costs = read_unit_costs(choice); });
+  return processes.of_first(costs);
+}
+
+// The start of a scenario, or of several processes every so many-th sphere of it.
+World make_start(const Scenario& scenario, const Processes& processes, const OnProgress& on_progress,
+                 const OnNote& on_note) {
+  if (processes.size() == 1) return make_world(scenario, on_progress, on_note);
+  Travelers brought;
+  World part = make_part(
+      scenario, [&](SphereId id) { return id % processes.size() == processes.rank(); },
+      [&](const SphereState& state) { brought.push_back({state}); }, on_progress, on_note);
+  insert(std::move(brought), part, [](const Traveler&) {});
+  return part;
 }
 
 }  // namespace
+
+void throw_as_of_command_line(const Error& error) {
+  for (const auto& [option, argument] : {std::pair("cell edge", "--cell-edge"),
+                                         std::pair("threads", "--threads"), std::pair("queue", "--queue")}) {
+    if (error.where() == option) throw Error(error.problem(), argument, error.remedy());
+  }
+  throw error;
+}
 
 Scenario read_scenario(const ScenarioChoice& choice) {
   return changed_by(choice, load_scenario(choice.path, choice.overrides));
@@ -80,7 +120,19 @@ Scenario changed_by(const ScenarioChoice& choice, Scenario scenario) {
   return scenario;
 }
 
-EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& scenario, const World& start) {
+Scenario read_shared_scenario(const ScenarioChoice& choice, Processes& processes) {
+  Scenario scenario;
+  in_all(processes, [&] { scenario = read_scenario(choice); });
+  if (processes.size() == 1) return scenario;
+  require_same(processes, scenario.text, "scenario");
+  std::string files;
+  in_all(processes, [&] { files = named_files(scenario); });
+  require_same(processes, files, "start file, or other file that the scenario names,");
+  return scenario;
+}
+
+EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& scenario, const World& start,
+                                  Processes& processes) {
   EngineOptions engine_options;
   engine_options.engine = static_cast<EngineKind>(choose(choice.engine, kEngineNames, "--engine"));
   engine_options.threads = read_threads(choice.threads);
@@ -89,11 +141,15 @@ EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& sc
   if (instructions > 0) engine_options.instructions = static_cast<InstructionSet>(instructions - 1);
   const bool has_cells = engine_options.engine != EngineKind::all_pairs;
   if (choice.unit_costs != "auto") {
-    engine_options.unit_costs = read_unit_costs(choice.unit_costs);
-  } else if (choice.cell_edge == "auto" && has_cells && is_worth_measuring(start, scenario)) {
-    engine_options.unit_costs = read_unit_costs("measured");
+    engine_options.unit_costs = shared_unit_costs(choice.unit_costs, processes);
+  } else if (choice.cell_edge == "auto" && has_cells &&
+             processes.of_first(is_worth_measuring(start, scenario))) {
+    engine_options.unit_costs = shared_unit_costs("measured", processes);
   }
   if (choice.cell_edge == "paper") {
+    if (processes.size() > 1)
+      throw Error("the paper's cell edge needs all spheres in one process", "--cell-edge",
+                  "give auto or a length");
     const double edge = paper_cell_edge(gas_statistics(start, Time(0)), engine_options.unit_costs);
     engine_options.cell_edge = allowed_cell_edge(start, engine_options.engine, edge);
   } else if (choice.cell_edge != "auto") {
@@ -113,31 +169,25 @@ std::size_t read_threads(const std::string& threads) {
 }
 
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
-                            const OnProgress& on_progress) {
+                            const OnProgress& on_progress, Processes& processes) {
   try {
-    return make_simulation(scenario, std::move(world), options, on_progress);
+    return make_simulation(scenario, std::move(world), options, on_progress, processes);
   } catch (const Error& error) {
     throw_as_of_command_line(error);
   }
 }
 
-void set_threads(Simulation& simulation, const std::string& threads) {
-  try {
-    simulation.set_threads(read_threads(threads));
-  } catch (const Error& error) {
-    throw_as_of_command_line(error);
-  }
-}
-
-Start set_up(const EngineChoice& choice, const Scenario& scenario, bool is_quiet) {
+Start set_up(const EngineChoice& choice, const Scenario& scenario, bool is_quiet, Processes& processes) {
   constexpr double kWorldMade = 0.5;  // the fraction of the work that this takes
-  SetUpProgress progress(!is_quiet);
+  SetUpProgress progress(processes.is_first() && !is_quiet);
   std::vector<std::string> notes;
-  World world = make_world(scenario, progress.part(0, kWorldMade),
+  World world = make_start(scenario, processes, progress.part(0, kWorldMade),
                            [&](const std::string& note) { notes.push_back(note); });
-  const EngineOptions engine_options = read_engine_options(choice, scenario, world);
-  return {engine_options,
-          start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1)), notes};
+  const EngineOptions engine_options = read_engine_options(choice, scenario, world, processes);
+  return {
+      engine_options,
+      start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1), processes),
+      notes};
 }
 
 std::string name_of(EngineKind engine) {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "apps/cli/options.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/processes/processes.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 
@@ -19,20 +21,23 @@ Scenario read_scenario(const ScenarioChoice& choice);
 /// A scenario with the changes that `choice` makes by --until and --seed. Error: likewise.
 Scenario changed_by(const ScenarioChoice& choice, Scenario scenario);
 
+/// The scenario of several processes, which each of them reads by itself: perhaps from the disk of another
+/// machine. Error, in all processes: as for read_scenario; they read different things.
+Scenario read_shared_scenario(const ScenarioChoice& choice, Processes& processes);
+
 /// The options to run it with. The unit costs for choosing cells are measured if the run is expected to
-/// take long, unless the command line says otherwise. Error: an unknown engine or queue; an edge that is not
-/// a positive number; invalid unit costs.
-EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& scenario, const World& start);
+/// take long, unless the command line says otherwise; of several processes by the first. Error: an unknown
+/// engine or queue; an edge that is not a positive number; invalid unit costs; several processes are to use
+/// the paper's cell edge, for which one must have all spheres.
+EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& scenario, const World& start,
+                                  Processes& processes = one_process());
 
 /// As make_simulation, with errors in options located on the command line.
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
-                            const OnProgress& on_progress = {});
+                            const OnProgress& on_progress = {}, Processes& processes = one_process());
 
 /// The number of threads that --threads gives as a text, zero for as many as pay. Error: it is none.
 std::size_t read_threads(const std::string& threads);
-
-/// Lets a simulation go on with as many threads as --threads gives. Error: it cannot have so many.
-void set_threads(Simulation& simulation, const std::string& threads);
 
 /// A simulation and how it is run.
 struct Start {
@@ -41,9 +46,14 @@ struct Start {
   std::vector<std::string> notes;  ///< What make_world has to say about the scenario, a sentence each.
 };
 
-/// Both of the above for the start of a scenario, with progress shown on the terminal unless
-/// `is_quiet`. Error: as for both. RunFailure: interrupted by a signal.
-Start set_up(const EngineChoice& choice, const Scenario& scenario, bool is_quiet);
+/// Throws an error in an option of the engine as one in that of the command line, and others as they are.
+[[noreturn]] void throw_as_of_command_line(const Error& error);
+
+/// The simulation of a scenario at its start, of which several processes make a part each, with progress
+/// shown on the terminal unless `is_quiet`. Error: as for read_engine_options and start_simulation.
+/// RunFailure: interrupted by a signal.
+Start set_up(const EngineChoice& choice, const Scenario& scenario, bool is_quiet,
+             Processes& processes = one_process());
 
 /// The engine's name on the command line.
 std::string name_of(EngineKind engine);

@@ -18,17 +18,21 @@
 
 namespace hardball::cli {
 
-/// A run between its start, or a checkpoint, and its end.
+/// A run between its start, or a checkpoint, and its end. Several processes may carry it out together, each
+/// with a StartedRun of its own, of which only that of the first has files.
 struct StartedRun {
   ScenarioChoice choice;  ///< With which it was started.
   OutputStyle output;
   Scenario scenario;
   Simulation simulation;
   Measures measures;
+  std::optional<std::filesystem::path> directory;  ///< Of the files, if the run has any.
   std::optional<RunFiles> files;
   std::uint64_t next_snapshot = 0;  ///< Its number, see SnapshotSchedule.
   Seconds seconds;                  ///< That it has taken so far.
   std::vector<std::string> notes;   ///< See Start.
+
+  Processes& processes() const { return simulation.processes(); }
 };
 
 /// What the section "run" of a checkpoint holds.
@@ -47,29 +51,16 @@ struct RunState {
   static constexpr std::uint32_t kVersionOfNotes = 11;  // of archives
 };
 
-/// The path of the checkpoint that is kept of a time [T]; its folder is there on return. Error (RunFailure):
-/// it cannot be created.
-std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time);
+/// Opens the files of a run that has a directory and starts now. Error: see RunFiles.
+void open_files(StartedRun& run, bool overwrites);
 
 /// Carries a run out to its end, writes its files, checkpoints on the way, and the summary. Error
 /// (RunFailure): as for Simulation::run; a file cannot be written.
 ExitCode carry_out(StartedRun& run);
 
-/// Writes a checkpoint of a run that has files, under the name of the current one. Error (RunFailure): it
-/// cannot be written; the one before is kept.
-void write_checkpoint(StartedRun& run, const std::filesystem::path& path);
-
-/// Whether a run that has reached `time` [T] and is to end at `until` [T] is whole, files included. Error: it
-/// has gone further.
-bool is_whole(const std::filesystem::path& directory, double time, double until);
-
-/// Says that the run in a directory is whole; with --json, writes its summary to the standard output.
-void tell_of_whole_run(const std::filesystem::path& directory, double time, const OutputStyle& output);
-
 /// The run that has written a checkpoint into a directory, with its files truncated to then; nothing if it is
-/// whole, which this says. `until` [T] replaces the end of the run. Error: the checkpoint is missing or
-/// damaged, or the files are; the run has gone beyond its end; another run is writing to the directory.
-std::optional<StartedRun> resumed_run(const std::filesystem::path& directory,
-                                      const std::filesystem::path& checkpoint, const ResumeOptions& options);
+/// whole, which this says. Error: the checkpoint is missing or damaged, or the files are; the run has gone
+/// beyond its end; another run is writing to the directory.
+std::optional<StartedRun> resumed_run(const ResumeOptions& options, Processes& processes);
 
 }  // namespace hardball::cli

@@ -32,8 +32,9 @@ long measure_peak_rss() {
 }  // namespace
 
 FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
-  const World& world = simulation.world();
-  return {.world = world,
+  std::vector<std::size_t> species_counts = simulation.species_counts();
+  species_counts.resize(scenario.species.size());
+  return {.world = simulation.setting(),
           .spheres = simulation.size(),
           .now = simulation.now(),
           .counters = simulation.counters(),
@@ -41,11 +42,11 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
           .windows = simulation.windows(),
           .at_rest_since = {},
           .sums = simulation.sums(),
-          .totals = totals_of(world, simulation.now()),
-          .step_energy = world.step_energy(),
-          .has_spins = world.has_spins(),
-          .audit = audit(world, simulation.now()),
-          .species_counts = species_counts(scenario, world),
+          .totals = simulation.totals(),
+          .step_energy = simulation.setting().step_energy(),
+          .has_spins = simulation.has_spins(),
+          .audit = simulation.audit(),
+          .species_counts = species_counts,
           .thermostat = simulation.thermostat(),
           .growth = simulation.growth(),
           .engine = simulation.engine(),

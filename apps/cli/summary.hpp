@@ -24,7 +24,7 @@ struct Seconds {
 
 /// What a summary is made of: a simulation at its current time.
 struct FinalState {
-  const World& world;  ///< Perhaps without spheres.
+  const World& world;  ///< Perhaps without spheres, or with earlier ones.
   std::size_t spheres = 0;
   Time now;
   Counters counters;

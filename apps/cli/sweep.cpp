@@ -12,7 +12,7 @@
 
 #include "apps/cli/interruption.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/simulation/any_engine.hpp"
+#include "hardball/run/make_engine.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 

@@ -48,7 +48,7 @@ double contacts_of_heap(const Scenario& scenario, const GasStatistics& statistic
 Trial try_out(const Scenario& scenario, const Outlook& outlook) {
   Simulation simulation = outlook.simulation;
   Measures measures(scenario.measures);
-  RestWatch rest(scenario, totals_of(simulation.world(), simulation.now()), simulation.size());
+  RestWatch rest(scenario, simulation.totals(), simulation.size());
   const Clock::time_point begin = Clock::now();
   const double until = *scenario.until;
   Trial trial;
@@ -69,7 +69,7 @@ Trial try_out(const Scenario& scenario, const Outlook& outlook) {
       const bool is_stopped = simulation.run({.until = next, .stop = stop}, measures) == RunStatus::stopped;
       note();
       if (is_stopped) break;
-      rest.look(simulation.time(), [&] { return totals_of(simulation.world(), simulation.now()); });
+      rest.look(simulation.time(), [&] { return simulation.totals(); });
     }
   } catch (const RunFailure& failure) {
     trial.failure = failure.what();

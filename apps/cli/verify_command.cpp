@@ -14,9 +14,9 @@
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/run/make_engine.hpp"
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
-#include "hardball/simulation/any_engine.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/world/audit.hpp"
 
@@ -50,12 +50,12 @@ VerifiedRun run_with(const Scenario& scenario, const World& start, const EngineO
   Simulation simulation = start_simulation(scenario, start, options);
   VerifiedRun outcome;
   outcome.cell_edge = simulation.cell_edge();
-  simulation.on_velocity_change([&](const VelocityChange&) { ++outcome.changes; });
+  simulation.observe({.change = [&](const VelocityChange&) { ++outcome.changes; }});
   simulation.run_until(*scenario.until);
   outcome.hash = simulation.event_log_hash();
   simulation.world().for_each_by_id(
       [&](Slot slot) { outcome.paths.push_back(simulation.world().path(slot)); });
-  const Audit found = audit(simulation.world(), simulation.now());
+  const Audit found = simulation.audit();
   outcome.max_overlap = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
   // A merged sphere may reach into walls, and into spheres that it does not merge with.
   outcome.is_sound = scenario.has_merging() ? found.not_finite == 0

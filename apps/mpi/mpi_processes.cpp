@@ -2,138 +2,154 @@
 // SPDX-License-Identifier: MIT
 #include "apps/mpi/mpi_processes.hpp"
 
-// The C++ interface of MPI, which was removed from the standard, is not wanted.
-#define OMPI_SKIP_MPICXX 1
-#define MPICH_SKIP_MPICXX 1
-#include <mpi.h>
+#include <dlfcn.h>
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <cstdint>
 #include <cstdlib>
-#include <string>
-#include <thread>
+#include <filesystem>
+#include <optional>
+#include <system_error>
 
 #include "hardball/errors/error.hpp"
 
 namespace hardball {
 namespace {
 
-// As many bytes as one message has at most: lengths are int.
-constexpr std::size_t kMessage = std::size_t{1} << 30;
+namespace fs = std::filesystem;
 
-void require_success(int code, const char* what) {
-  if (code == MPI_SUCCESS) return;
-  std::array<char, MPI_MAX_ERROR_STRING> reason{};
-  int length = 0;
-  MPI_Error_string(code, reason.data(), &length);
-  throw RunFailure(std::string("MPI failed to ") + what + ": " + reason.data());
-}
+// Environment variables by which mpirun says that it has started several processes, and how many. Slurm's are
+// not among them: a job has them, too, where it runs one program after the other.
+constexpr const char* kCounts[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"};
+// That of PMIx, which says only that there may be several.
+constexpr const char* kRank = "PMIX_RANK";
 
-// Messages between the same two processes arrive in the order in which they were sent.
-void start_messages(std::string& text, int peer, bool sends, std::vector<MPI_Request>& requests) {
-  for (std::size_t begin = 0; begin < text.size(); begin += kMessage) {
-    const auto length = static_cast<int>(std::min(kMessage, text.size() - begin));
-    MPI_Request& request = requests.emplace_back();
-    char* const data = text.data() + begin;
-    require_success(sends ? MPI_Isend(data, length, MPI_BYTE, peer, 1, MPI_COMM_WORLD, &request)
-                          : MPI_Irecv(data, length, MPI_BYTE, peer, 1, MPI_COMM_WORLD, &request),
-                    "exchange messages");
+// The first variable that is set.
+struct Sign {
+  std::string name;
+  std::size_t count = 0;  // of the processes; zero if it does not say
+};
+
+std::optional<Sign> sign_of_several() {
+  for (const char* const name : kCounts) {
+    if (const char* const size = std::getenv(name)) {
+      const int count = std::atoi(size);
+      return count > 1 ? std::optional(Sign{name, static_cast<std::size_t>(count)}) : std::nullopt;
+    }
   }
+  return std::getenv(kRank) ? std::optional(Sign{kRank}) : std::nullopt;
 }
 
-void wait_for(std::vector<MPI_Request>& requests) {
-  require_success(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE),
-                  "exchange messages");
-  requests.clear();
+// The processes of `sign` do not find each other, and each would run all of the system.
+[[noreturn]] void refuse_copies(const Sign& sign, const std::string& reason, const std::string& remedy) {
+  const std::string started =
+      sign.count > 0 ? "has started " + to_text(sign.count) : std::string("may have started several");
+  std::string variables = sign.name;
+  if (sign.name != kRank && std::getenv(kRank)) variables += std::string(" and ") + kRank;
+  throw Error(
+      "mpirun " + started + " copies of the program, each of which would run all of the system, as " + reason,
+      sign.name, remedy + ", or unset " + variables);
+}
+
+// Where the plug-in is: beside the program in a build folder, among the libraries where it is installed.
+std::optional<fs::path> plugin_path() {
+  std::error_code error;
+  const fs::path program = fs::canonical("/proc/self/exe", error);
+  if (error) return {};
+  for (const char* const folder : {".", HARDBALL_PLUGIN_FOLDER}) {
+    const fs::path path = (program.parent_path() / folder / HARDBALL_PLUGIN_NAME).lexically_normal();
+    if (fs::exists(path, error)) return path;
+  }
+  return {};
+}
+
+const MpiPlugin& load_plugin(const Sign& sign) {
+  const std::optional<fs::path> path = plugin_path();
+  if (!path) {
+    refuse_copies(
+        sign, "there is no plug-in for MPI, " HARDBALL_PLUGIN_NAME,
+        "run ./dev mpi, which installs Open MPI (libopenmpi-dev and openmpi-bin in Debian) and builds "
+        "the plug-in");
+  }
+  // Open MPI loads plug-ins of its own, which look for its functions among those of the whole program.
+  void* const library = dlopen(path->c_str(), RTLD_NOW | RTLD_GLOBAL);
+  void* const symbol = library ? dlsym(library, kMpiPluginSymbol) : nullptr;
+  if (!symbol) {
+    refuse_copies(sign, "the plug-in for MPI cannot be loaded (" + std::string(dlerror()) + ")",
+                  "install Open MPI (openmpi-bin in Debian), or build the plug-in with ./dev mpi");
+  }
+  const MpiPlugin& plugin = *reinterpret_cast<GetMpiPlugin*>(symbol)();
+  if (plugin.version != kMpiPluginVersion) {
+    refuse_copies(sign,
+                  path->string() + " has version " + to_text(plugin.version) +
+                      ", and the program needs version " + to_text(kMpiPluginVersion),
+                  "build both from the same source, as ./dev mpi does");
+  }
+  return plugin;
+}
+
+void require_success(const char* failure, const char* what) {
+  if (failure) throw RunFailure(std::string("MPI failed to ") + what + ": " + failure);
 }
 
 }  // namespace
 
-// The communicator of those that end, where no message of a run can be waited for.
-struct MpiProcesses::AtEnd {
-  MPI_Comm communicator = MPI_COMM_NULL;
-};
-
-bool MpiProcesses::may_be_several() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-    if (const char* const size = std::getenv(name)) return std::atoi(size) > 1;
+std::unique_ptr<MpiProcesses> MpiProcesses::join_others() {
+  const std::optional<Sign> sign = sign_of_several();
+  if (!sign) return nullptr;
+  const MpiPlugin& plugin = load_plugin(*sign);
+  auto processes = std::make_unique<MpiProcesses>(plugin);
+  if (processes->size() > 1) return processes;
+  if (sign->count > 1) {
+    const std::string library = plugin.library;
+    refuse_copies(*sign, "the plug-in for MPI is built for " + library + ", which finds one process",
+                  "use the mpirun of " + library + ", or build the plug-in for the MPI of this mpirun");
   }
-  return std::getenv("PMIX_RANK") != nullptr;
+  return nullptr;
 }
 
-MpiProcesses::MpiProcesses() {
-  int provided = 0;
-  require_success(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided), "start");
-  if (provided < MPI_THREAD_FUNNELED) throw RunFailure("this MPI does not allow threads");
-  // Otherwise MPI itself would end the program where it fails.
-  MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
-  at_end_ = std::make_unique<AtEnd>();
-  require_success(MPI_Comm_dup(MPI_COMM_WORLD, &at_end_->communicator), "start");
-  int rank = 0;
-  int size = 1;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  MPI_Comm_size(MPI_COMM_WORLD, &size);
-  rank_ = static_cast<std::size_t>(rank);
-  size_ = static_cast<std::size_t>(size);
-}
-
-MpiProcesses::~MpiProcesses() {
-  MPI_Comm_free(&at_end_->communicator);
-  MPI_Finalize();
+MpiProcesses::MpiProcesses(const MpiPlugin& plugin) : plugin_(plugin) {
+  require_success(plugin_.join(&rank_, &size_), "start");
 }
 
 std::vector<std::string> MpiProcesses::exchange(std::span<const std::size_t> peers,
                                                 std::span<const std::string> outgoing) {
-  std::vector<std::uint64_t> sent_lengths(peers.size());
-  std::vector<std::uint64_t> lengths(peers.size());
-  std::vector<MPI_Request> requests;
-  for (std::size_t k = 0; k < peers.size(); ++k) {
-    const auto peer = static_cast<int>(peers[k]);
-    sent_lengths[k] = outgoing[k].size();
-    require_success(
-        MPI_Irecv(&lengths[k], 1, MPI_UINT64_T, peer, 0, MPI_COMM_WORLD, &requests.emplace_back()),
-        "exchange messages");
-    require_success(
-        MPI_Isend(&sent_lengths[k], 1, MPI_UINT64_T, peer, 0, MPI_COMM_WORLD, &requests.emplace_back()),
-        "exchange messages");
+  const std::size_t count = peers.size();
+  std::vector<MpiMessage> messages(count);
+  const auto exchange_messages = [&] {
+    require_success(plugin_.exchange(messages.data(), count), "exchange messages");
+  };
+  // First how long they are.
+  std::vector<std::uint64_t> own_lengths(count);
+  std::vector<std::uint64_t> lengths(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    own_lengths[k] = outgoing[k].size();
+    messages[k] = {.peer = peers[k],
+                   .outgoing = reinterpret_cast<const char*>(&own_lengths[k]),
+                   .outgoing_size = sizeof(std::uint64_t),
+                   .incoming = reinterpret_cast<char*>(&lengths[k]),
+                   .incoming_size = sizeof(std::uint64_t)};
   }
-  wait_for(requests);
-  std::vector<std::string> incoming(peers.size());
-  for (std::size_t k = 0; k < peers.size(); ++k) {
-    const auto peer = static_cast<int>(peers[k]);
+  exchange_messages();
+  std::vector<std::string> incoming(count);
+  for (std::size_t k = 0; k < count; ++k) {
     incoming[k].resize(lengths[k]);
-    start_messages(incoming[k], peer, false, requests);
-    // MPI_Isend does not change what it sends.
-    start_messages(const_cast<std::string&>(outgoing[k]), peer, true, requests);
+    messages[k] = {.peer = peers[k],
+                   .outgoing = outgoing[k].data(),
+                   .outgoing_size = outgoing[k].size(),
+                   .incoming = incoming[k].data(),
+                   .incoming_size = incoming[k].size()};
   }
-  wait_for(requests);
+  exchange_messages();
   return incoming;
 }
 
-bool MpiProcesses::do_all_end() {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::seconds kPatience{5};
-  MPI_Request request{};
-  if (MPI_Ibarrier(at_end_->communicator, &request) != MPI_SUCCESS) return false;
-  for (const Clock::time_point deadline = Clock::now() + kPatience; Clock::now() < deadline;) {
-    int is_complete = 0;
-    if (MPI_Test(&request, &is_complete, MPI_STATUS_IGNORE) != MPI_SUCCESS) return false;
-    if (is_complete != 0) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
-}
-
 void MpiProcesses::abort(int code) {
-  MPI_Abort(MPI_COMM_WORLD, code);
+  plugin_.abort(code);
   std::abort();
 }
 
 void MpiProcesses::gather_bytes(const void* own, std::size_t bytes, void* all) {
-  const auto length = static_cast<int>(bytes);
-  require_success(MPI_Allgather(own, length, MPI_BYTE, all, length, MPI_BYTE, MPI_COMM_WORLD), "gather");
+  require_success(plugin_.gather(own, bytes, all), "gather");
 }
 
 }  // namespace hardball

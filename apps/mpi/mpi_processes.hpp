@@ -8,25 +8,26 @@
 #include <string>
 #include <vector>
 
+#include "apps/mpi/plugin.hpp"
 #include "hardball/processes/processes.hpp"
 
 namespace hardball {
 
-/// The processes that mpirun has started. One object for the whole life of a program. All functions raise
-/// RunFailure where MPI fails.
+/// The processes that mpirun has started, which find each other by the plug-in for MPI. One object for the
+/// whole life of a program. All functions raise RunFailure where MPI fails.
 class MpiProcesses final : public Processes {
  public:
-  /// Whether several processes may have been started: as the environment says, so that the program alone does
-  /// without MPI.
-  static bool may_be_several();
+  /// Loads the plug-in and joins the others if the environment says that mpirun has started several processes
+  /// of this program; null if this one is alone. Error: there are several, and the plug-in is missing, cannot
+  /// be loaded, has another version, or belongs to another MPI than mpirun.
+  static std::unique_ptr<MpiProcesses> join_others();
 
-  /// Joins the others. Threads of this process may run, but only the one that calls sends. Error: MPI does
-  /// not allow threads.
-  MpiProcesses();
+  /// Joins the others. Threads of this process may run, but only the one that calls sends.
+  explicit MpiProcesses(const MpiPlugin& plugin);
   MpiProcesses(const MpiProcesses&) = delete;
   MpiProcesses& operator=(const MpiProcesses&) = delete;
   /// Leaves when all do.
-  ~MpiProcesses() override;
+  ~MpiProcesses() override { plugin_.leave(); }
 
   std::size_t rank() const override { return rank_; }
   std::size_t size() const override { return size_; }
@@ -34,16 +35,14 @@ class MpiProcesses final : public Processes {
                                     std::span<const std::string> outgoing) override;
   /// Whether all processes call this, each within some seconds of the others. It may be called while others
   /// wait for messages of this one.
-  bool do_all_end();
+  bool do_all_end() { return plugin_.do_all_end(); }
   /// Ends all processes at once, with this exit code, as one cannot go on.
   [[noreturn]] void abort(int code);
 
  private:
   void gather_bytes(const void* own, std::size_t bytes, void* all) override;
 
-  struct AtEnd;
-
-  std::unique_ptr<AtEnd> at_end_;
+  const MpiPlugin& plugin_;
   std::size_t rank_ = 0;
   std::size_t size_ = 1;
 };

@@ -35,10 +35,7 @@ LiveRun::LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording&
       until_(until),
       most_bytes_(most_bytes),
       rest_(std::move(rest)) {
-  simulation_.log_contacts([this](const Contact& contact) { writer_.note(contact, simulation_); });
-  simulation_.on_velocity_change(
-      [this](const VelocityChange& change) { writer_.note(change, simulation_.world()); });
-  simulation_.on_epoch([this](const Growth& epoch) { writer_.note(epoch); });
+  simulation_.observe(recording_observer(writer_, simulation_));
   note_division();
   publish();
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -73,7 +70,7 @@ void LiveRun::advance(const std::stop_token& stop) {
       return;
     }
     const double now = simulation_.time();
-    rest_.look(now, [&] { return totals_of(simulation_.world(), simulation_.now()); });
+    rest_.look(now, [&] { return simulation_.totals(); });
     if (rest_.since()) return;
     const double next_look = std::min(until_, rest_.next_look(now));
     const RunStatus status =

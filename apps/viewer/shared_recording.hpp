@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "hardball/parallel/block.hpp"
-#include "hardball/parallel/window_counters.hpp"
+#include "hardball/world/block.hpp"
+#include "hardball/engine/window_counters.hpp"
 #include "hardball/recording/recording_reader.hpp"
 
 namespace hardball::viewer {

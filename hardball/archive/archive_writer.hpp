@@ -28,7 +28,7 @@ class ArchiveWriter {
 
   /// The version of the format written. It counts up whenever the state of any class changes; readers read
   /// all from 1 on.
-  static constexpr std::uint32_t kVersion = 11;
+  static constexpr std::uint32_t kVersion = 12;
   static constexpr bool kIsReading = false;
 
   static constexpr std::uint32_t version() { return kVersion; }

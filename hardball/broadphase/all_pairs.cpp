@@ -22,17 +22,21 @@ constexpr double kMargin = 1e-6;
 void AllPairs::build(const World& world, const Time& now, CompactPaths& copies) {
   copies.reset(world, std::max(1.0, CompactPaths::least_farthest(world.box())), now);
   reset(lines_, world);
+  middles_.assign(world.size(), {});
   slid_.assign(world.size(), 0);
   for (Slot slot = 0; slot < world.size(); ++slot) center_interval(world, slot, now);
 }
 
 void AllPairs::insert(const World& world, Slot slot, const Time& now, const CompactPaths&) {
   reset(lines_, world, slot);
-  if (slot == slid_.size()) append_sparingly(slid_, 0.0);
+  if (slot == slid_.size()) {
+    append_sparingly(middles_, {});
+    append_sparingly(slid_, 0.0);
+  }
   center_interval(world, slot, now);
 }
 
-void AllPairs::refresh(const World& world, Slot slot, const Time& now, const Image&) {
+void AllPairs::update(const World& world, Slot slot, const Time& now, const Image&) {
   center_interval(world, slot, now);
 }
 
@@ -41,7 +45,7 @@ AllPairs::Images AllPairs::images_within_reach(const World& world, Slot slot, Sl
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
     const double size = world.box().size()[axis];
-    const double apart = lines_[other].region[axis] - lines_[slot].region[axis];
+    const double apart = middles_[other][axis] - middles_[slot][axis];
     const double reach = 2 * kHalfInterval * size + world.bounding_radius(slot) +
                          world.bounding_radius(other) + kMargin * size;
     images.low[axis] = static_cast<std::int32_t>(std::ceil((-reach - apart) / size));
@@ -56,7 +60,7 @@ void AllPairs::shift_along_x(const World& world, Slot slot, Slot other, std::int
   const double size = world.box().size().x;
   const bool ahead = world.box().images().speed() > 0;
   const double slid = ahead ? std::max(slid_[slot], slid_[other]) : std::min(slid_[slot], slid_[other]);
-  const double apart = (lines_[other].region.x - lines_[slot].region.x) + above * slid;
+  const double apart = (middles_[other].x - middles_[slot].x) + above * slid;
   const double reach = (2 + std::abs(above)) * kHalfInterval * size + world.bounding_radius(slot) +
                        world.bounding_radius(other) + kMargin * size;
   images.low[0] = static_cast<std::int32_t>(std::ceil((-reach - apart) / size));
@@ -88,14 +92,14 @@ void AllPairs::cross(const World& world, Slot slot, const Time& now, const Compa
 }
 
 void AllPairs::center_interval(const World& world, Slot slot, const Time& now) {
-  lines_[slot].region = world.unfolded_position(slot, now);
+  middles_[slot] = world.unfolded_position(slot, now);
   static_cast<void>(
-      world.box().boxes_beyond(lines_[slot].region, now));  // throws if it has crossed too many boxes
+      world.box().boxes_beyond(middles_[slot], now));  // throws if it has crossed too many boxes
   slid_[slot] = world.box().images().displacement(now).high;
 }
 
-double AllPairs::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const {
-  const Vec3 moved = world.unfolded_position(slot, now) - lines_[slot].region;
+double AllPairs::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) {
+  const Vec3 moved = world.unfolded_position(slot, now) - middles_[slot];
   const Vec3 velocity = world.unfolded_velocity(slot, now);
   double soonest = std::numeric_limits<double>::infinity();
   if (const double speed = std::fabs(world.box().images().speed()); speed > 0) {
@@ -115,7 +119,7 @@ double AllPairs::next_crossing(const World& world, Slot slot, const Time& now, c
 void AllPairs::validate(const World& world, const Time& now, const CompactPaths&) const {
   HARDBALL_CHECK(lines_.size() >= world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    const Vec3 moved = world.unfolded_position(slot, now) - lines_[slot].region;
+    const Vec3 moved = world.unfolded_position(slot, now) - middles_[slot];
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (!world.box().is_periodic(axis)) continue;
       HARDBALL_CHECK(std::fabs(moved[axis]) <= (kHalfInterval + kMargin / 2) * world.box().size()[axis]);

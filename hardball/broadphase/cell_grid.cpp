@@ -51,7 +51,7 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
 
 void CellGrid::enter(const World& world, Slot slot, const Time& now) {
   const CellRange range = range_at(world, slot, now);
-  lines_[slot].region.take(range);
+  stored_region(slot).take(range);
   for_each_list(range, [&](std::uint32_t list) { lists_.insert(list, slot); });
 }
 
@@ -71,12 +71,12 @@ void CellGrid::insert(const World& world, Slot slot, const Time& now, const Comp
 }
 
 void CellGrid::erase(Slot slot) {
-  for_each_list(lines_[slot].region.range(), [&](std::uint32_t list) { lists_.erase(list, slot); });
+  for_each_list(stored_region(slot).range(), [&](std::uint32_t list) { lists_.erase(list, slot); });
 }
 
 void CellGrid::move(Slot from, Slot to) {
   lines_[to] = lines_[from];
-  for_each_list(lines_[to].region.range(), [&](std::uint32_t list) {
+  for_each_list(stored_region(to).range(), [&](std::uint32_t list) {
     lists_.erase(list, from);
     lists_.insert(list, to);
   });
@@ -125,7 +125,7 @@ bool CellGrid::fits_into_cells(double radius) const {
   return diameter < cells_.edge(0) && diameter < cells_.edge(1) && diameter < cells_.edge(2);
 }
 
-void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
+void CellGrid::update(const World& world, Slot slot, const Time& now, const Image& folded) {
   if (blocks_) {
     refresh_block(world, slot, now, folded);
   } else {
@@ -135,15 +135,15 @@ void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Ima
 
 void CellGrid::refresh_range(const World& world, Slot slot, const Time& now, const Image& folded) {
   const CellRange range = range_at(world, slot, now);
-  const CellRange old = lines_[slot].region.range();
+  const CellRange old = stored_region(slot).range();
   if (folded.is_zero() && old.contains(range.low) && old.contains(range.high)) {
     leave(slot, old, range);
-    lines_[slot].region.take(range);
+    stored_region(slot).take(range);
     return;
   }
   for_each_list(old, [&](std::uint32_t list) { lists_.erase(list, slot); });
   for_each_list(range, [&](std::uint32_t list) { lists_.insert(list, slot); });
-  lines_[slot].region.take(range);
+  stored_region(slot).take(range);
 }
 
 // From the copy of the path, in single precision: for spheres of up to four edges, position, differences and
@@ -151,7 +151,7 @@ void CellGrid::refresh_range(const World& world, Slot slot, const Time& now, con
 double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
   // Slower components may have been rounded to zero.
   constexpr float kSlow = 0x1p-100F;
-  CellRegion& region = lines_[slot].region;
+  CellRegion& region = stored_region(slot);
   const CompactPath& path = copies.paths()[slot];
   const float radius = copies.radius(slot);
   float least = std::numeric_limits<float>::infinity();
@@ -179,7 +179,7 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
 }
 
 double CellGrid::next_crossing_of_any(const World& world, Slot slot, const Time& now) {
-  CellRegion& region = lines_[slot].region;
+  CellRegion& region = stored_region(slot);
   const CellCrossing next =
       cells_.next_enter(world.unfolded_position(slot, now), world.velocity(slot, now),
                         world.motion().gravity(), world.bounding_radius(slot), region.range());
@@ -199,7 +199,7 @@ void CellGrid::cross(const World& world, Slot slot, const Time& now, const Compa
 }
 
 void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  CellRegion& region = lines_[slot].region;
+  CellRegion& region = stored_region(slot);
   const CellRange exact = range_at(world, slot, now);
   const Vec3 velocity = world.velocity(slot, now);
   const CellRange old = region.range();
@@ -231,7 +231,7 @@ void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candi
 
 // As refresh, where regions are blocks: the sphere lies within its region, and keeps the cells it touches.
 void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, const Image& folded) {
-  CellRegion& region = lines_[slot].region;
+  CellRegion& region = stored_region(slot);
   const Vec3 position = world.unfolded_position(slot, now);
   const double radius = world.bounding_radius(slot);
   std::uint32_t below = 0;  // axes along which it touches the lower half of the block
@@ -248,7 +248,7 @@ void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, con
 // As cross, where regions are blocks. Whatever the rounding, of two cells along the axis of the crossing it
 // leaves one.
 void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  CellRegion& region = lines_[slot].region;
+  CellRegion& region = stored_region(slot);
   const Vec3 position = world.unfolded_position(slot, now);
   const Vec3 velocities = world.velocity(slot, now);
   const double radius = world.bounding_radius(slot);
@@ -278,7 +278,7 @@ void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candi
 // Releases half of a block along each of `axes`: the lower half along `up`, the upper one along the others.
 void CellGrid::leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up) {
   if (axes == 0) return;
-  CellRegion& region = lines_[slot].region;
+  CellRegion& region = stored_region(slot);
   const std::uint32_t wide = region.wide_axes();
   const std::uint32_t kept = CellBlock::cells_above(axes & up, wide & ~axes);
   block_of(region).for_each_list(CellBlock::cells_above(0, wide) & ~kept,
@@ -315,8 +315,8 @@ void CellGrid::collect_from(const World& world, Slot slot, const CellRange& rang
 
 // All images of a sphere that share a cell with the sphere of `candidates`.
 void CellGrid::collect_images(const World& world, Slot other, Candidates& candidates) const {
-  const CellRange own = lines_[candidates.self()].region.range();
-  const CellRange range = lines_[other].region.range();
+  const CellRange own = stored_region(candidates.self()).range();
+  const CellRange range = stored_region(other).range();
   Image first;
   Image last;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -348,14 +348,14 @@ void CellGrid::leave(Slot slot, const CellRange& old, const CellRange& kept) {
 
 bool CellGrid::is_in(Slot slot, const CellIndex& cell) const {
   bool is_found = false;
-  cells_.for_each_folded(lines_[slot].region.range(),
+  cells_.for_each_folded(stored_region(slot).range(),
                          [&](const CellIndex&, const CellIndex& own) { is_found |= is_same(own, cell); });
   return is_found;
 }
 
 bool CellGrid::are_candidates(Slot a, Slot b) const {
   bool share_cell = false;
-  cells_.for_each_folded(lines_[a].region.range(),
+  cells_.for_each_folded(stored_region(a).range(),
                          [&](const CellIndex&, const CellIndex& cell) { share_cell |= is_in(b, cell); });
   return share_cell;
 }
@@ -368,7 +368,7 @@ void CellGrid::validate(const World& world, const Time& now, const CompactPaths&
   HARDBALL_CHECK(lines_.size() >= world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (!holds(world, slot)) continue;
-    const CellRange range = lines_[slot].region.range();
+    const CellRange range = stored_region(slot).range();
     const Vec3 position = world.unfolded_position(slot, now);
     const double radius = world.bounding_radius(slot);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
@@ -24,59 +25,61 @@ namespace hardball {
 ///
 /// Leaving needs no events: cells behind a sphere are released at its next crossing or change of path.
 /// Source: Kim, Guibas and Shin (1997), section 2.
-class CellGrid : public WithSphereLines<CellRegion> {
+class CellGrid : public BroadPhase {
  public:
   /// The length is the wanted edge of a cell; see Subdivision.
   explicit CellGrid(const PhaseSettings& settings)
-      : wanted_edge_(settings.length), expected_(settings.expected) {}
+      : BroadPhase({.kind = PhaseKind::cells}), wanted_edge_(settings.length), expected_(settings.expected) {}
 
   /// A grid of spheres whose radius is at most `largest_radius` [L]. Another broad phase adds the others as
   /// guests; their candidates are at most `farthest` [L] away.
   CellGrid(const PhaseSettings& settings, double largest_radius, double farthest)
-      : wanted_edge_(settings.length),
+      : BroadPhase({.kind = PhaseKind::cells}),
+        wanted_edge_(settings.length),
         expected_(settings.expected),
         largest_radius_(largest_radius),
         farthest_of_guests_(farthest) {}
 
   static bool supports(const World& world, double) { return !world.box().is_sheared(); }
-  PhaseLengths lengths() const { return {.cell_edges = cells_.edges()}; }
+  std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<CellGrid>(*this); }
+  PhaseLengths lengths() const override { return {.cell_edges = cells_.edges()}; }
 
   /// Error: the edge is not positive, or so small that a sphere would lie in hundreds of cells.
-  void build(const World& world, const Time& now, CompactPaths& copies);
-  void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
-  bool keeps(const World& world, Slot slot, const Time& now, const CompactPaths&) const {
+  void build(const World& world, const Time& now, CompactPaths& copies) override;
+  void update(const World& world, Slot slot, const Time& now, const Image& folded) override;
+  bool keeps(const World& world, Slot slot, const Time& now, const CompactPaths&) const override {
     const CellRange exact = range_at(world, slot, now);
-    const CellRange own = lines_[slot].region.range();
+    const CellRange own = stored_region(slot).range();
     return own.contains(exact.low) && own.contains(exact.high);
   }
-  bool admits(const World& world, Slot slot) const;
-  void insert(const World& world, Slot slot, const Time& now, const CompactPaths&);
-  void erase(Slot slot);
-  void move(Slot from, Slot to);
-  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const {
+  bool admits(const World& world, Slot slot) const override;
+  void insert(const World& world, Slot slot, const Time& now, const CompactPaths&) override;
+  void erase(Slot slot) override;
+  void move(Slot from, Slot to) override;
+  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const override {
     collect(world, slot, candidates);
   }
-  void collect(const World& world, Slot slot, Candidates& candidates) const {
-    if (!blocks_) return collect_from(world, slot, lines_[slot].region.range(), candidates);
+  void collect(const World& world, Slot slot, Candidates& candidates) const override {
+    if (!blocks_) return collect_from(world, slot, stored_region(slot).range(), candidates);
     candidates.begin(slot, true);
-    block_of(lines_[slot].region)
-        .for_each_list(CellBlock::cells_above(0, lines_[slot].region.wide_axes()),
+    block_of(stored_region(slot))
+        .for_each_list(CellBlock::cells_above(0, stored_region(slot).wide_axes()),
                        [&](std::uint32_t list) { collect_list(list, candidates); });
     candidates.end();
   }
-  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
-  void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
-  static constexpr std::size_t kCachedSpheres = 50000;  // measured
-  void prefetch_region(Slot slot) const { prefetch(&lines_[slot]); }
-  void prefetch_lists(Slot slot, bool crosses) const {
+  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) override;
+  void cross(const World& world, Slot slot, const Time& now, const CompactPaths&,
+             Candidates& candidates) override;
+  std::size_t cached_spheres() const override { return 50000; }  // measured
+  void prefetch_lists(Slot slot, bool crosses) const override {
     if (!is_prefetched(slot)) return;
     const auto prefetch_list = [this](std::uint32_t list) { prefetch(lists_.address(list)); };
-    for_each_list(lines_[slot].region.range(), prefetch_list);
-    if (crosses) for_each_list(lines_[slot].region.row_ahead(), prefetch_list);
+    for_each_list(stored_region(slot).range(), prefetch_list);
+    if (crosses) for_each_list(stored_region(slot).row_ahead(), prefetch_list);
   }
-  void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
+  void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const override {
     if (!is_prefetched(slot)) return;
-    const CellRegion& region = lines_[slot].region;
+    const CellRegion& region = stored_region(slot);
     // Gathered first: in one loop the processor need not guess how long each list is.
     constexpr std::size_t kMax = 8 * SlotLists::kRoom;
     Slot found[kMax + SlotLists::kRoom];
@@ -86,13 +89,13 @@ class CellGrid : public WithSphereLines<CellRegion> {
     });
     for (std::size_t i = 0; i < count; ++i) copies.prefetch(found[i]);
   }
-  std::uint64_t left_count() const { return left_count_; }
-  std::size_t memory_bytes() const;
-  void validate(const World& world, const Time& now, const CompactPaths&) const;
+  std::uint64_t left_count() const override { return left_count_; }
+  std::size_t memory_bytes() const override;
+  void validate(const World& world, const Time& now, const CompactPaths&) const override;
 
   /// Whether images that share a cell are always the nearest images.
-  bool uses_minimum_image() const { return nearest_; }
-  bool are_candidates(Slot a, Slot b) const;
+  bool uses_minimum_image() const override { return nearest_; }
+  bool are_candidates(Slot a, Slot b) const override;
 
   const Subdivision& cells() const { return cells_; }
   /// Whether a sphere's region contains a cell folded into the box.
@@ -110,10 +113,12 @@ class CellGrid : public WithSphereLines<CellRegion> {
   void erase_guest(const CellIndex& cell, Slot slot) { lists_.erase(table_.list(cell), slot); }
 
  private:
+  CellRegion& stored_region(Slot slot) { return lines_[slot].region<CellRegion>(); }
+  const CellRegion& stored_region(Slot slot) const { return lines_[slot].region<CellRegion>(); }
   // Large spheres in small cells touch too many.
   bool is_prefetched(Slot slot) const {
     constexpr std::uint32_t kMaxCells = 27;
-    const auto& more = lines_[slot].region.more;
+    const auto& more = stored_region(slot).more;
     return (more[0] + 1U) * (more[1] + 1U) * (more[2] + 1U) <= kMaxCells;
   }
   // Calls visit(list) for each cell of a range, which is part of a block if regions are blocks.
@@ -174,7 +179,5 @@ class CellGrid : public WithSphereLines<CellRegion> {
   bool blocks_ = false;  // regions are sets of cells of a block
   std::uint64_t left_count_ = 0;
 };
-
-static_assert(BroadPhase<CellGrid>);
 
 }  // namespace hardball

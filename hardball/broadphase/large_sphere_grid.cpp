@@ -25,19 +25,19 @@ void LargeSphereGrid::build(const World& world, const Time& now, CompactPaths& c
   HARDBALL_CHECK(sizes.has_value());
   // Large spheres touch cells around those in which centers are expected.
   const Extent touched = settings_.expected.grown(world.largest_bounding_radius() + sizes->skin);
-  grid_ = CellGrid(settings_.within(touched), sizes->largest_in_grid, sizes->farthest);
-  grid_.build(world, now, copies);
-  HARDBALL_CHECK(grid_.uses_minimum_image());
+  CellGrid::operator=(CellGrid(settings_.within(touched), sizes->largest_in_grid, sizes->farthest));
+  CellGrid::build(world, now, copies);
+  HARDBALL_CHECK(CellGrid::uses_minimum_image());
   sizes_ = *sizes;
   skin_ = sizes->skin;
   margin_ = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    margin_ = std::max(margin_, grid_.cells().reach(axis, 0));
+    margin_ = std::max(margin_, cells().reach(axis, 0));
   }
   large_.clear();
   are_large_.reset(world.size());
   large_numbers_.assign(world.size(), 0);
-  left_count_ = 0;
+  moved_anchors_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (world.bounding_radius(slot) > sizes->largest_in_grid) insert_large(world, slot, now);
   }
@@ -78,7 +78,7 @@ bool LargeSphereGrid::admits(const World& world, Slot slot) const {
 
 void LargeSphereGrid::insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
   mark_large(slot, false, 0);
-  grid_.insert(world, slot, now, copies);
+  CellGrid::insert(world, slot, now, copies);
   if (world.bounding_radius(slot) > sizes_.largest_in_grid) insert_large(world, slot, now);
   collect(world, slot, found_);
   list_at_large(slot, found_);
@@ -86,7 +86,7 @@ void LargeSphereGrid::insert(const World& world, Slot slot, const Time& now, con
 
 void LargeSphereGrid::erase(Slot slot) {
   for (LargeSphere& large : large_) large.list.replace(slot, large.slot);
-  if (!is_large(slot)) return grid_.erase(slot);
+  if (!is_large(slot)) return CellGrid::erase(slot);
   const std::uint32_t number = large_numbers_[slot];
   erase_guest(large_[number]);
   mark_large(large_.back().slot, true, number);
@@ -99,9 +99,9 @@ void LargeSphereGrid::move(Slot from, Slot to) {
   for (LargeSphere& large : large_) large.list.replace(from, to);
   if (!is_large(from)) {
     mark_large(to, false, 0);
-    return grid_.move(from, to);
+    return CellGrid::move(from, to);
   }
-  lines()[to] = lines()[from];
+  lines_[to] = lines_[from];
   LargeSphere& large = large_of(from);
   erase_guest(large);
   large.slot = to;
@@ -115,14 +115,13 @@ void LargeSphereGrid::collect_overlapping(const World& world, Slot slot, Candida
   if (is_large(slot)) {
     candidates.begin(slot, true);
     const LargeSphere& large = large_of(slot);
-    for_each_cell_of_shell(
-        grid_.cells(), large.anchor, 0, large.radius + skin_ + margin_, [&](const CellIndex& cell) {
-          grid_.for_each_line(cell, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
-            candidates.add(slots, count);
-          });
-        });
+    for_each_cell_of_shell(cells(), large.anchor, 0, large.radius + skin_ + margin_,
+                           [&](const CellIndex& cell) {
+                             for_each_line(cell, [&](const SlotLists::LineOfSlots& slots,
+                                                     std::uint32_t count) { candidates.add(slots, count); });
+                           });
   } else {
-    grid_.collect(world, slot, candidates);
+    CellGrid::collect(world, slot, candidates);
   }
   for (const LargeSphere& large : large_) candidates.add(large.slot);
   candidates.end();
@@ -161,17 +160,17 @@ bool LargeSphereGrid::do_shells_meet(const World& world, const LargeSphere& a, c
 }
 
 bool LargeSphereGrid::are_candidates(Slot a, Slot b) const {
-  if (is_large(a) == is_large(b)) return is_large(a) || grid_.are_candidates(a, b);
+  if (is_large(a) == is_large(b)) return is_large(a) || CellGrid::are_candidates(a, b);
   bool share_cell = false;
   for_each_cell(large_of(is_large(a) ? a : b),
-                [&](const CellIndex& cell) { share_cell |= grid_.is_in(is_large(a) ? b : a, cell); });
+                [&](const CellIndex& cell) { share_cell |= is_in(is_large(a) ? b : a, cell); });
   return share_cell;
 }
 
 // Large spheres are found in many cells, and added once.
 void LargeSphereGrid::collect_cell(const World& world, const LargeSphere& large, const CellIndex& cell,
                                    Candidates& candidates) const {
-  grid_.for_each_line(cell, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+  for_each_line(cell, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
     const auto is_small = [&](Slot other) {
       const bool is_other_large = is_large(other) & (other != large.slot);
       if (is_other_large) [[unlikely]] {
@@ -208,7 +207,7 @@ void LargeSphereGrid::cross_large(const World& world, Slot slot, const Time& now
   const bool moves = !(length(position_of(world, large, now)) < most);
   if (moves) {
     erase_guest(large);
-    ++left_count_;
+    ++moved_anchors_;
     move_anchor(world, large, now);
     insert_guest(large);
   }
@@ -228,7 +227,7 @@ void LargeSphereGrid::list_at_large(Slot slot, const Candidates& candidates) {
 
 // From elsewhere none arrives in time at less than this speed, as a list reaches no farther than the skin.
 void LargeSphereGrid::list_fast(const World& world, Slot slot) {
-  grid_.collect(world, slot, found_);
+  CellGrid::collect(world, slot, found_);
   list_at_large(slot, found_);
 }
 
@@ -239,23 +238,23 @@ void LargeSphereGrid::make_list(const World& world, LargeSphere& large, const Ti
 }
 
 std::size_t LargeSphereGrid::memory_bytes() const {
-  return grid_.memory_bytes() + large_.capacity() * sizeof(LargeSphere) + are_large_.memory_bytes() +
+  return CellGrid::memory_bytes() + large_.capacity() * sizeof(LargeSphere) + are_large_.memory_bytes() +
          large_numbers_.capacity() * sizeof(std::uint32_t);
 }
 
 void LargeSphereGrid::validate(const World& world, const Time& now, const CompactPaths& copies) const {
   HARDBALL_CHECK(large_numbers_.size() >= world.size());
-  grid_.validate(world, now, copies);
+  CellGrid::validate(world, now, copies);
   for (const LargeSphere& large : large_) {
     HARDBALL_CHECK(is_large(large.slot) && large.radius == world.bounding_radius(large.slot));
     HARDBALL_CHECK(length(position_of(world, large, now)) <=
                    skin_ + coordinate_error(world, large.slot, now));
     for_each_cell(large, [&](const CellIndex& cell) {
       std::size_t found = 0;
-      grid_.for_each_line(cell, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+      for_each_line(cell, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
         found += static_cast<std::size_t>(std::count(slots.begin(), slots.begin() + count, large.slot));
       });
-      HARDBALL_CHECK(found == 1 || (found > 1 && grid_.shares_lists()));
+      HARDBALL_CHECK(found == 1 || (found > 1 && shares_lists()));
     });
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "hardball/broadphase/approach_list.hpp"
@@ -27,67 +28,63 @@ namespace hardball {
 /// Few of thousands of spheres at the surface of a large one can reach it before it collides again. It keeps
 /// these in an ApproachList and crosses when that expires, to list others.
 /// Source: docs/decisions/0012-large-spheres-as-shells-of-cells.md.
-class LargeSphereGrid {
+class LargeSphereGrid final : public CellGrid {
  public:
   /// The speed assumed by lists, over the root mean square of all.
   static constexpr double kUsualSpeed = 2.5;
 
   /// The length is the wanted edge of a cell; see Subdivision. Precondition: supports(world, edge), where the
   /// world is all that is built, or has it as a part.
-  explicit LargeSphereGrid(const PhaseSettings& settings) : settings_(settings), grid_(settings) {}
+  explicit LargeSphereGrid(const PhaseSettings& settings) : CellGrid(settings), settings_(settings) {}
 
   /// Whether some spheres are too large for such cells; see LargeSizes. Cost: O(n). Error: the edge is not
   /// positive and finite.
   static bool supports(const World& world, double edge);
-  PhaseLengths lengths() const { return grid_.lengths(); }
+  std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<LargeSphereGrid>(*this); }
 
-  void build(const World& world, const Time& now, CompactPaths& copies);
+  void build(const World& world, const Time& now, CompactPaths& copies) override;
   // Never: the lists of large spheres rely on how small ones have moved.
-  bool keeps(const World&, Slot, const Time&, const CompactPaths&) const { return false; }
-  bool admits(const World& world, Slot slot) const;
-  void insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
-  void erase(Slot slot);
-  void move(Slot from, Slot to);
-  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const;
-  void refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
+  bool keeps(const World&, Slot, const Time&, const CompactPaths&) const override { return false; }
+  bool admits(const World& world, Slot slot) const override;
+  void insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies) override;
+  void erase(Slot slot) override;
+  void move(Slot from, Slot to) override;
+  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const override;
+  void update(const World& world, Slot slot, const Time& now, const Image& folded) override {
     if (is_large(slot)) return refresh_large(slot, folded);
-    grid_.refresh(world, slot, now, folded);
+    CellGrid::update(world, slot, now, folded);
     if (is_fast(world, slot)) [[unlikely]]
       list_fast(world, slot);
   }
-  void collect(const World& world, Slot slot, Candidates& candidates) const {
-    if (!is_large(slot)) return grid_.collect(world, slot, candidates);
+  void collect(const World& world, Slot slot, Candidates& candidates) const override {
+    if (!is_large(slot)) return CellGrid::collect(world, slot, candidates);
     collect_of_large(world, slot, candidates);
   }
-  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
-    if (!is_large(slot)) return grid_.next_crossing(world, slot, now, copies);
+  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) override {
+    if (!is_large(slot)) return CellGrid::next_crossing(world, slot, now, copies);
     return next_crossing_of_large(world, slot, now);
   }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
-             Candidates& candidates) {
+             Candidates& candidates) override {
     if (is_large(slot)) return cross_large(world, slot, now, copies, candidates);
-    grid_.cross(world, slot, now, copies, candidates);
+    CellGrid::cross(world, slot, now, copies, candidates);
     if (is_fast(world, slot)) [[unlikely]]
       list_at_large(slot, candidates);
   }
-  static constexpr std::size_t kCachedSpheres = CellGrid::kCachedSpheres;
-  void prefetch_region(Slot slot) const { grid_.prefetch_region(slot); }
-  void prefetch_lists(Slot slot, bool crosses) const {
-    if (!is_large(slot)) grid_.prefetch_lists(slot, crosses);
+  void prefetch_lists(Slot slot, bool crosses) const override {
+    if (!is_large(slot)) CellGrid::prefetch_lists(slot, crosses);
   }
-  void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
-    if (!is_large(slot)) grid_.prefetch_candidates(slot, crosses, copies);
+  void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const override {
+    if (!is_large(slot)) CellGrid::prefetch_candidates(slot, crosses, copies);
   }
-  bool uses_minimum_image() const { return true; }
-  bool are_candidates(Slot a, Slot b) const;
+  bool uses_minimum_image() const override { return true; }
+  bool are_candidates(Slot a, Slot b) const override;
   /// Whether `collect` gives only those candidates of a large sphere that can reach it before its list
   /// expires.
   bool has_approach_list(Slot slot) const { return is_large(slot) && large_of(slot).list.exists(); }
-  auto& lines() { return grid_.lines(); }
-  const auto& lines() const { return grid_.lines(); }
-  std::uint64_t left_count() const { return grid_.left_count() + left_count_; }
-  std::size_t memory_bytes() const;
-  void validate(const World& world, const Time& now, const CompactPaths& copies) const;
+  std::uint64_t left_count() const override { return CellGrid::left_count() + moved_anchors_; }
+  std::size_t memory_bytes() const override;
+  void validate(const World& world, const Time& now, const CompactPaths& copies) const override;
 
  private:
   struct LargeSphere {
@@ -131,17 +128,16 @@ class LargeSphereGrid {
   template <class Visit>
   void for_each_cell(const LargeSphere& large, Visit&& visit) const {
     const double hollow = std::max(0.0, large.radius - skin_ - margin_);
-    for_each_cell_of_shell(grid_.cells(), large.anchor, hollow, large.radius + skin_ + margin_, visit);
+    for_each_cell_of_shell(cells(), large.anchor, hollow, large.radius + skin_ + margin_, visit);
   }
   void insert_guest(const LargeSphere& large) {
-    for_each_cell(large, [&](const CellIndex& cell) { grid_.insert_guest(cell, large.slot); });
+    for_each_cell(large, [&](const CellIndex& cell) { CellGrid::insert_guest(cell, large.slot); });
   }
   void erase_guest(const LargeSphere& large) {
-    for_each_cell(large, [&](const CellIndex& cell) { grid_.erase_guest(cell, large.slot); });
+    for_each_cell(large, [&](const CellIndex& cell) { CellGrid::erase_guest(cell, large.slot); });
   }
 
   PhaseSettings settings_;
-  CellGrid grid_;
   LargeSizes sizes_;
   double skin_ = 0;
   double margin_ = 0;  // of the cells
@@ -149,10 +145,8 @@ class LargeSphereGrid {
   std::vector<LargeSphere> large_;
   SlotSet are_large_;
   std::vector<std::uint32_t> large_numbers_;  // by slot: indices in large_
-  std::uint64_t left_count_ = 0;
+  std::uint64_t moved_anchors_ = 0;
   Candidates found_;  // around the sphere in question
 };
-
-static_assert(BroadPhase<LargeSphereGrid>);
 
 }  // namespace hardball

@@ -164,7 +164,7 @@ void NeighborList::insert(const World& world, Slot slot, const Time& now, const 
 }
 
 void NeighborList::erase(Slot slot) {
-  points_.erase(table_.list(lines_[slot].region.cell), slot);
+  points_.erase(table_.list(stored_region(slot).cell), slot);
   for (const Slot other : neighbors_.of(slot)) {
     if (other != slot) neighbors_.erase(other, slot);
   }
@@ -173,7 +173,7 @@ void NeighborList::erase(Slot slot) {
 
 bool NeighborList::keeps(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const {
   if (sliding_.are_present()) return false;  // where it is in its row would have to be found
-  const Anchor& anchor = lines_[slot].region;
+  const Anchor& anchor = stored_region(slot);
   const CellIndex cell = cells_.cell_of(world.position(slot, now));
   bool is_near = copies.is_bounded(slot);
   float room = room_squared_;
@@ -190,7 +190,7 @@ bool NeighborList::keeps(const World& world, Slot slot, const Time& now, const C
 }
 
 void NeighborList::move(Slot from, Slot to) {
-  points_.erase(table_.list(lines_[from].region.cell), from);
+  points_.erase(table_.list(stored_region(from).cell), from);
   lines_[to] = lines_[from];
   store_anchor(to);
   const std::span<const Slot> lanes = neighbors_.of(from);
@@ -252,7 +252,7 @@ double NeighborList::next_crossing_of_any(const World& world, Slot slot, const T
                                           const CompactPaths& copies) const {
   if (!sliding_.are_present()) return leaves_ball(world, slot, now, copies);
   const CompactPath& path = copies.paths()[slot];
-  const Anchor& own = lines_[slot].region;
+  const Anchor& own = stored_region(slot);
   const SlidingAnchors::Row row = sliding_.row_of(own, path, now, copies);
   std::array<std::int32_t, 3> anchor = own.position;
   anchor[0] = sum_on_grid(anchor[0], row.displacement);
@@ -273,7 +273,7 @@ double NeighborList::leaves_ball(const World& world, Slot slot, const Time& now,
 
 State NeighborList::relative_to_anchor(const World& world, Slot slot, const Time& now,
                                        const CompactPaths& copies) const {
-  const Anchor& own = lines_[slot].region;
+  const Anchor& own = stored_region(slot);
   std::array<std::int32_t, 3> anchor = own.position;
   Vec3 velocity = world.velocity(slot, now);
   if (sliding_.are_present()) {
@@ -289,7 +289,7 @@ void NeighborList::cross(const World& world, Slot slot, const Time& now, const C
                          Candidates& candidates) {
   if (sliding_.are_present()) [[unlikely]]
     sliding_.keep_near(now);
-  points_.erase(table_.list(lines_[slot].region.cell), slot);
+  points_.erase(table_.list(stored_region(slot).cell), slot);
   move_anchor(world, slot, now, copies);
   find_near(slot, now, copies);
   store_anchor(slot);
@@ -331,7 +331,7 @@ void NeighborList::find_changes(Slot slot) {
 }
 
 void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
-  Anchor& anchor = lines_[slot].region;
+  Anchor& anchor = stored_region(slot);
   anchor.position = copies.paths()[slot].position;
   const Vec3 position = world.position(slot, now);
   anchor.cell = cells_.cell_of(position);
@@ -347,7 +347,7 @@ void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, c
 void NeighborList::find_near(Slot slot, const Time& now, const CompactPaths& copies) {
   if (sliding_.are_present()) [[unlikely]]
     note_step(now, copies);
-  const std::size_t count = find_cells_around(lines_[slot].region, near_.cells);
+  const std::size_t count = find_cells_around(stored_region(slot), near_.cells);
   // Half of the reach belongs to each sphere, so that rounding is the same from either side.
   const float half = (reach_ + reach_of_slide_ + packing_error_) / 2;
   const float own_reach = half + copies.radius(slot);
@@ -368,7 +368,7 @@ void NeighborList::find_near(Slot slot, const Time& now, const CompactPaths& cop
     query.room = near_.count;
     kernels_->pick_near(query, near_.begin());
   }
-  if (table_.is_shared_within(1, lines_[slot].region.cell)) [[unlikely]]
+  if (table_.is_shared_within(1, stored_region(slot).cell)) [[unlikely]]
     leave_out_far(slot, copies);
 }
 
@@ -377,7 +377,7 @@ void NeighborList::find_near(Slot slot, const Time& now, const CompactPaths& cop
 void NeighborList::leave_out_far(Slot slot, const CompactPaths& copies) {
   Slot* const begin = near_.begin();
   Slot* end = begin + near_.count;
-  const auto shares_list = [&](Slot each) { return table_.is_shared_within(0, lines_[each].region.cell); };
+  const auto shares_list = [&](Slot each) { return table_.is_shared_within(0, stored_region(each).cell); };
   const bool is_own_shared = shares_list(slot);
   end = std::remove_if(begin, end, [&](Slot other) {
     return (is_own_shared || shares_list(other)) && !are_near(slot, other, copies);
@@ -389,8 +389,8 @@ void NeighborList::leave_out_far(Slot slot, const CompactPaths& copies) {
 // Whether the shells of two spheres overlap, and their cells touch: on the grid, anchors that are far apart
 // may seem near.
 bool NeighborList::are_near(Slot a, Slot b, const CompactPaths& copies) const {
-  const Anchor& of_b = lines_[b].region;
-  Anchor of_a = lines_[a].region;
+  const Anchor& of_b = stored_region(b);
+  Anchor of_a = stored_region(a);
   if (sliding_.are_present()) {
     const std::int32_t rows = of_b.cell[1] - of_a.cell[1];
     of_a = seen_from_row(of_a, std::abs(rows) <= 1 ? rows : rows > 0 ? -1 : 1);
@@ -523,7 +523,7 @@ void NeighborList::validate(const World& world, const Time& now, const CompactPa
       ++others;
     }
     HARDBALL_CHECK(sliding_.are_present() || neighbors_.size(slot) == others);
-    HARDBALL_CHECK(!sliding_.is_expired(lines_[slot].region, now));
+    HARDBALL_CHECK(!sliding_.is_expired(stored_region(slot), now));
   }
 }
 

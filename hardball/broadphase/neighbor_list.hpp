@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "hardball/broadphase/sliding_anchors.hpp"
 #include "hardball/broadphase/sphere_lines.hpp"
 #include "hardball/broadphase/subdivision.hpp"
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/memory/prefetch.hpp"
 
@@ -32,20 +34,22 @@ namespace hardball {
 /// slide past each other, lists are longer by what may come near within a certain time, and a sphere's anchor
 /// moves when that has passed, too. Source: Donev, Torquato and Stillinger, J. Comput. Phys. 202 (2005) 737,
 /// section 3.
-class NeighborList : public WithSphereLines<Anchor> {
+class NeighborList final : public BroadPhase {
  public:
   /// The length is the skin, the wanted radius of the ball in which a sphere's center moves; small boxes
   /// reduce it. In a sheared box spheres are expected everywhere. Precondition: supports(world). Error: the
   /// instruction set is not available.
   explicit NeighborList(const PhaseSettings& settings)
-      : wanted_skin_(settings.length),
+      : BroadPhase({.kind = PhaseKind::neighbors, .follows_paths = false, .has_more_data = true}),
+        wanted_skin_(settings.length),
         expected_(settings.expected),
         kernels_(&kernels_of(settings.instructions)) {}
 
   /// Whether neighbors can be listed, with any skin: a periodic box must be so large that of a neighbor only
   /// one image is near.
   static bool supports(const World& world, double skin = 0);
-  PhaseLengths lengths() const { return {.skin = skin_}; }
+  std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<NeighborList>(*this); }
+  PhaseLengths lengths() const override { return {.skin = skin_}; }
 
   /// The edge of the cells in which anchors are found [L]: shells that overlap are in adjacent ones.
   static double cell_edge(double largest_radius, double skin);
@@ -55,53 +59,54 @@ class NeighborList : public WithSphereLines<Anchor> {
   /// ones. Zero without shear.
   static double slide_of_skin(const Box& box, double largest_radius, double skin, double mean_speed);
 
-  void build(const World& world, const Time& now, CompactPaths& copies);
-  bool keeps(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
-  bool admits(const World& world, Slot slot) const { return world.bounding_radius(slot) <= largest_built_; }
-  void insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
-  void erase(Slot slot);
-  void move(Slot from, Slot to);
-  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const {
+  void build(const World& world, const Time& now, CompactPaths& copies) override;
+  bool keeps(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const override;
+  bool admits(const World& world, Slot slot) const override {
+    return world.bounding_radius(slot) <= largest_built_;
+  }
+  void insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies) override;
+  void erase(Slot slot) override;
+  void move(Slot from, Slot to) override;
+  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const override {
     collect(world, slot, candidates);
   }
-  void refresh(const World&, Slot, const Time&, const Image&) {}
-  void collect(const World&, Slot slot, Candidates& candidates) const {
+  HARDBALL_ALWAYS_INLINE void collect(const World&, Slot slot, Candidates& candidates) const override {
     candidates.begin(slot, true);
     candidates.refer_to(neighbors_.of(slot));
   }
-  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const {
+  HARDBALL_ALWAYS_INLINE double next_crossing(const World& world, Slot slot, const Time& now,
+                                              const CompactPaths& copies) override {
     if (!world.motion().is_straight() || sliding_.are_present()) [[unlikely]]
       return next_crossing_of_any(world, slot, now, copies);
     const CompactPath& path = copies.paths()[slot];
-    const float wait = wait_in_ball(copies, path.position, path.velocity, lines_[slot].region.position);
+    const float wait = wait_in_ball(copies, path.position, path.velocity, stored_region(slot).position);
     // Of a sphere too fast to be bounded, nothing is known.
     if (!(wait >= 0)) [[unlikely]]
       return next_crossing_of_any(world, slot, now, copies);
     return rounded_down(now) + copies.time_unit() * static_cast<double>(wait);
   }
-  bool are_candidates(Slot, Slot) const { return true; }
-  bool uses_minimum_image() const { return true; }
+  bool are_candidates(Slot, Slot) const override { return true; }
+  bool uses_minimum_image() const override { return true; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
-             Candidates& candidates);
-  static constexpr std::size_t kCachedSpheres = 40000;  // measured
-  void prefetch_region(Slot slot) const {
-    prefetch(neighbors_.address(slot));
-    prefetch(&lines_[slot]);
-  }
-  void prefetch_lists(Slot slot, bool crosses) const {
+             Candidates& candidates) override;
+  std::size_t cached_spheres() const override { return 40000; }  // measured
+  HARDBALL_ALWAYS_INLINE void prefetch_more(Slot slot) const override { prefetch(neighbors_.address(slot)); }
+  void prefetch_lists(Slot slot, bool crosses) const override {
     if (!crosses) return;
     CellsAround around;
-    const std::size_t count = find_cells_around(lines_[slot].region, around);
+    const std::size_t count = find_cells_around(stored_region(slot), around);
     for (std::size_t i = 0; i < count; ++i) prefetch(points_.blocks() + around[i].block);
   }
-  void prefetch_candidates(Slot slot, bool, const CompactPaths& copies) const {
+  void prefetch_candidates(Slot slot, bool, const CompactPaths& copies) const override {
     for (const Slot other : neighbors_.of(slot)) copies.prefetch(other);
   }
-  std::uint64_t left_count() const { return 0; }
-  std::size_t memory_bytes() const;
-  void validate(const World& world, const Time& now, const CompactPaths& copies) const;
+  std::uint64_t left_count() const override { return 0; }
+  std::size_t memory_bytes() const override;
+  void validate(const World& world, const Time& now, const CompactPaths& copies) const override;
 
  private:
+  Anchor& stored_region(Slot slot) { return lines_[slot].region<Anchor>(); }
+  const Anchor& stored_region(Slot slot) const { return lines_[slot].region<Anchor>(); }
   // For how long a straight path stays in the ball around an anchor, in units of the compact paths; NaN if it
   // is not bounded.
   float wait_in_ball(const CompactPaths& copies, const std::array<std::int32_t, 3>& center,
@@ -155,7 +160,7 @@ class NeighborList : public WithSphereLines<Anchor> {
   // The same in units of packed positions.
   std::int32_t in_cell(const Anchor& anchor, std::size_t axis) const;
   void store_anchor(Slot slot) {
-    const Anchor& anchor = lines_[slot].region;
+    const Anchor& anchor = stored_region(slot);
     points_.insert(table_.list(anchor.cell), slot,
                    PackedPosition({in_cell(anchor, 0), in_cell(anchor, 1), in_cell(anchor, 2)}));
   }
@@ -198,7 +203,5 @@ class NeighborList : public WithSphereLines<Anchor> {
   Nearby near_;                      // its new neighbors
   std::vector<Slot> gained_, lost_;  // changes to its list
 };
-
-static_assert(BroadPhase<NeighborList>);
 
 }  // namespace hardball

@@ -98,7 +98,7 @@ void ShearedCells::build(const World& world, const Time& now, CompactPaths& copi
 // Gives a region to a sphere that has none.
 void ShearedCells::enter(const World& world, Slot slot, const Time& now) {
   if (blocks_) {
-    lines_[slot].region = block_at(world, slot, now);
+    stored_region(slot) = block_at(world, slot, now);
   } else {
     regions_[slot] = region_at(world, slot, now);
   }
@@ -107,7 +107,7 @@ void ShearedCells::enter(const World& world, Slot slot, const Time& now) {
 
 void ShearedCells::leave(Slot slot) {
   for_each_list(slot, [&](std::uint32_t list) { lists_.erase(list, slot); });
-  lines_[slot].region = {};
+  stored_region(slot) = {};
   if (!blocks_) regions_[slot] = {};
 }
 
@@ -128,7 +128,7 @@ void ShearedCells::move(Slot from, Slot to) {
   for_each_list(to, [&](std::uint32_t list) { lists_.insert(list, to); });
 }
 
-void ShearedCells::refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
+void ShearedCells::update(const World& world, Slot slot, const Time& now, const Image& folded) {
   rows_.keep_near(now);
   if (!folded.is_zero()) {  // cells are counted along the new path
     leave(slot);
@@ -343,7 +343,7 @@ std::uint32_t ShearedCells::reach_row(ShearedBlock& block, std::uint32_t row, do
 
 HARDBALL_ALWAYS_INLINE ShearedCells::SeenFromBlock ShearedCells::see(const World& world, Slot slot,
                                                                      const Time& now) const {
-  const auto& low = lines_[slot].region.low;
+  const auto& low = stored_region(slot).low;
   const Vec3 position = world.unfolded_position(slot, now);
   const Vec3 velocity = world.path(slot).velocity;
   const std::int32_t row = low[ShearedBlock::kAcrossRows];
@@ -361,7 +361,7 @@ HARDBALL_ALWAYS_INLINE ShearedCells::SeenFromBlock ShearedCells::see(const World
 
 // Leaves all cells of the block but these.
 void ShearedCells::keep(Slot slot, std::uint32_t cells) {
-  ShearedBlock& block = lines_[slot].region;
+  ShearedBlock& block = stored_region(slot);
   const std::uint32_t left = block.cells & ~cells;
   if (left == 0) return;
   block.for_each_list(left, table_, [&](std::uint32_t list) { lists_.erase(list, slot); });
@@ -372,7 +372,7 @@ void ShearedCells::keep(Slot slot, std::uint32_t cells) {
 void ShearedCells::refresh_block(const World& world, Slot slot, const Time& now) {
   const SeenFromBlock seen = see(world, slot, now);
   const double radius = world.bounding_radius(slot);
-  std::uint32_t cells = lines_[slot].region.cells;
+  std::uint32_t cells = stored_region(slot).cells;
   for_each_direction([&](auto direction) {
     constexpr ShearedBlock::Halves kHalf = ShearedBlock::kHalves[direction];
     const double reach = cells_.reach(ShearedBlock::kAxis[direction], radius);
@@ -383,7 +383,7 @@ void ShearedCells::refresh_block(const World& world, Slot slot, const Time& now)
 }
 
 double ShearedCells::next_crossing_of_block(const World& world, Slot slot, const Time& now) {
-  ShearedBlock& block = lines_[slot].region;
+  ShearedBlock& block = stored_region(slot);
   const SeenFromBlock seen = see(world, slot, now);
   const double radius = world.bounding_radius(slot);
   const std::uint32_t cells = block.cells;
@@ -421,7 +421,7 @@ double ShearedCells::next_crossing_of_block(const World& world, Slot slot, const
 }
 
 void ShearedCells::cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  ShearedBlock& block = lines_[slot].region;
+  ShearedBlock& block = stored_region(slot);
   const SeenFromBlock seen = see(world, slot, now);
   const double radius = world.bounding_radius(slot);
   const std::size_t crossed = ShearedBlock::direction_of(block.crossing);
@@ -451,7 +451,7 @@ void ShearedCells::cross_block(const World& world, Slot slot, const Time& now, C
 
 // Collects those who touch some cells of the block, and enters these.
 void ShearedCells::enter_cells(Slot slot, std::uint32_t cells, Candidates& candidates) {
-  const ShearedBlock& block = lines_[slot].region;
+  const ShearedBlock& block = stored_region(slot);
   if (table_.is_shared()) [[unlikely]] {
     CellBlock::for_each_cell(
         cells, [&](std::uint32_t cell) { collect_cell(cells_.folded(block.index(cell)), candidates); });
@@ -470,7 +470,7 @@ std::size_t ShearedCells::memory_bytes() const {
 // The cells that a sphere is in.
 ShearedRegion ShearedCells::region_of(Slot slot) const {
   if (!blocks_) return regions_[slot];
-  const ShearedBlock& block = lines_[slot].region;
+  const ShearedBlock& block = stored_region(slot);
   ShearedRegion region;
   region.lowest = block.outermost(ShearedBlock::kAcrossRows, false);
   region.count =

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -23,52 +24,58 @@ namespace hardball {
 /// cells that move with the flow around it.
 ///
 /// A sphere that fits into a cell is in cells of a ShearedBlock, others are in a ShearedRegion.
-class ShearedCells : public WithSphereLines<ShearedBlock> {
+class ShearedCells final : public BroadPhase {
  public:
   /// The length is the wanted edge of a cell; others are taken where cells would be too many, or too large
   /// for the box.
-  explicit ShearedCells(const PhaseSettings& settings) : wanted_edge_(settings.length) {}
+  explicit ShearedCells(const PhaseSettings& settings)
+      : BroadPhase({.kind = PhaseKind::cells, .has_more_data = true}), wanted_edge_(settings.length) {}
 
   /// Whether there are cells in which images are always the nearest: in a box that is large enough for the
   /// spheres.
   static bool supports(const World& world, double length) { return allowed_edge(world, length).has_value(); }
-  PhaseLengths lengths() const { return {.cell_edges = cells_.edges()}; }
+  std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<ShearedCells>(*this); }
+  PhaseLengths lengths() const override { return {.cell_edges = cells_.edges()}; }
 
-  void build(const World& world, const Time& now, CompactPaths& copies);
-  void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
-  bool keeps(const World& world, Slot slot, const Time& now, const CompactPaths&) const;
-  bool admits(const World& world, Slot slot) const { return world.bounding_radius(slot) <= largest_built_; }
-  void insert(const World& world, Slot slot, const Time& now, const CompactPaths&);
-  void erase(Slot slot);
-  void move(Slot from, Slot to);
-  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const {
+  void build(const World& world, const Time& now, CompactPaths& copies) override;
+  void update(const World& world, Slot slot, const Time& now, const Image& folded) override;
+  bool keeps(const World& world, Slot slot, const Time& now, const CompactPaths&) const override;
+  bool admits(const World& world, Slot slot) const override {
+    return world.bounding_radius(slot) <= largest_built_;
+  }
+  void insert(const World& world, Slot slot, const Time& now, const CompactPaths&) override;
+  void erase(Slot slot) override;
+  void move(Slot from, Slot to) override;
+  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const override {
     collect(world, slot, candidates);
   }
-  void collect(const World& world, Slot slot, Candidates& candidates) const;
-  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&);
-  void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
-  bool are_candidates(Slot a, Slot b) const;
-  bool uses_minimum_image() const { return true; }
-  static constexpr std::size_t kCachedSpheres = 50000;
-  void prefetch_region(Slot slot) const {
-    prefetch(&lines_[slot]);
+  void collect(const World& world, Slot slot, Candidates& candidates) const override;
+  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) override;
+  void cross(const World& world, Slot slot, const Time& now, const CompactPaths&,
+             Candidates& candidates) override;
+  bool are_candidates(Slot a, Slot b) const override;
+  bool uses_minimum_image() const override { return true; }
+  std::size_t cached_spheres() const override { return 50000; }
+  void prefetch_more(Slot slot) const override {
     if (!blocks_) prefetch(&regions_[slot]);
   }
-  void prefetch_lists(Slot slot, bool) const {
+  void prefetch_lists(Slot slot, bool) const override {
     for_each_list(slot, [this](std::uint32_t list) { prefetch(lists_.address(list)); });
   }
-  void prefetch_candidates(Slot slot, bool, const CompactPaths& copies) const {
+  void prefetch_candidates(Slot slot, bool, const CompactPaths& copies) const override {
     for_each_list(slot, [&](std::uint32_t list) {
       std::array<Slot, SlotLists::kRoom> found;
       const std::uint32_t count = lists_.copy_first(list, found.data());
       for (std::uint32_t i = 0; i < count; ++i) copies.prefetch(found[i]);
     });
   }
-  std::uint64_t left_count() const { return left_count_; }
-  std::size_t memory_bytes() const;
-  void validate(const World& world, const Time& now, const CompactPaths&) const;
+  std::uint64_t left_count() const override { return left_count_; }
+  std::size_t memory_bytes() const override;
+  void validate(const World& world, const Time& now, const CompactPaths&) const override;
 
  private:
+  ShearedBlock& stored_region(Slot slot) { return lines_[slot].region<ShearedBlock>(); }
+  const ShearedBlock& stored_region(Slot slot) const { return lines_[slot].region<ShearedBlock>(); }
   // The edge that is used for a wanted one; nothing if there is none.
   static std::optional<double> allowed_edge(const World& world, double wanted);
 
@@ -76,7 +83,7 @@ class ShearedCells : public WithSphereLines<ShearedBlock> {
   template <class Visit>
   void for_each_cell(Slot slot, Visit&& visit) const {
     if (!blocks_) return for_each_cell_of(regions_[slot], visit);
-    const ShearedBlock& block = lines_[slot].region;
+    const ShearedBlock& block = stored_region(slot);
     CellBlock::for_each_cell(block.cells, [&](std::uint32_t cell) {
       const CellIndex index = block.index(cell);
       visit(index, cells_.folded(index));
@@ -90,7 +97,7 @@ class ShearedCells : public WithSphereLines<ShearedBlock> {
   // Calls visit(list) for the list of each cell that a sphere is in.
   template <class Visit>
   void for_each_list(Slot slot, Visit&& visit) const {
-    if (blocks_) return lines_[slot].region.for_each_list(lines_[slot].region.cells, table_, visit);
+    if (blocks_) return stored_region(slot).for_each_list(stored_region(slot).cells, table_, visit);
     for_each_cell_of(regions_[slot],
                      [&](const CellIndex&, const CellIndex& folded) { visit(table_.list(folded)); });
   }
@@ -143,7 +150,5 @@ class ShearedCells : public WithSphereLines<ShearedBlock> {
   LargeVector<ShearedRegion> regions_;  // otherwise, by slot
   std::uint64_t left_count_ = 0;
 };
-
-static_assert(BroadPhase<ShearedCells>);
 
 }  // namespace hardball

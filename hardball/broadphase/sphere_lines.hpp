@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
 #include "hardball/events/plan.hpp"
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/world/world.hpp"
@@ -10,41 +14,44 @@ namespace hardball {
 
 /// What every event of a sphere reads, in one cache line: with many spheres, time is spent on lines that come
 /// from memory.
-template <class Region>
 struct alignas(64) SphereLine {
-  Plan plan;      ///< For the engine.
-  Region region;  ///< For the broad phase.
+  Plan plan;  ///< For the engine.
   SphereId id = 0;
+  alignas(4) std::array<std::byte, 28> region_bytes{};
+
+  /// The region, of the type that the broad phase always uses.
+  template <class Region>
+  Region& region() {
+    check_region<Region>();
+    return *reinterpret_cast<Region*>(region_bytes.data());
+  }
+  template <class Region>
+  const Region& region() const {
+    check_region<Region>();
+    return *reinterpret_cast<const Region*>(region_bytes.data());
+  }
+
+ private:
+  template <class Region>
+  static constexpr void check_region() {
+    static_assert(sizeof(Region) <= sizeof(region_bytes) && alignof(Region) <= 4);
+    static_assert(std::is_trivially_copyable_v<Region>);
+  }
 };
+static_assert(sizeof(SphereLine) == 64);
 
 /// One for each sphere, by slot.
-template <class Region>
-using SphereLines = LargeVector<SphereLine<Region>>;
-
-/// What broad phases with lines of their own have in common.
-template <class Region>
-class WithSphereLines {
- public:
-  /// See BroadPhase.
-  auto& lines() { return lines_; }
-  const auto& lines() const { return lines_; }
-
- protected:
-  SphereLines<Region> lines_;
-};
+using SphereLines = LargeVector<SphereLine>;
 
 /// A line without plan or region for a sphere that had none. Cost: O(1) amortized.
-template <class Region>
-void reset(SphereLines<Region>& lines, const World& world, Slot slot) {
+inline void reset(SphereLines& lines, const World& world, Slot slot) {
   if (slot == lines.size()) append_sparingly(lines, {});
   lines[slot] = {};
   lines[slot].id = world.id(slot);
 }
 
 /// Lines without plans or regions, but with the ids. Cost: O(n).
-template <class Region>
-void reset(SphereLines<Region>& lines, const World& world) {
-  static_assert(sizeof(SphereLine<Region>) == 64);
+inline void reset(SphereLines& lines, const World& world) {
   lines.assign(world.size(), {});
   for (Slot slot = 0; slot < world.size(); ++slot) lines[slot].id = world.id(slot);
 }

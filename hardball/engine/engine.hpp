@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "hardball/engine/check_forecast.hpp"
+#include "hardball/engine/engine_base.hpp"
 #include "hardball/engine/engine_journal.hpp"
 #include "hardball/engine/forecast.hpp"
 #include "hardball/engine/prefetching.hpp"
@@ -16,11 +18,14 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/event_queue.hpp"
+#include "hardball/events/ordered_queue.hpp"
 #include "hardball/execution/aftermath.hpp"
 #include "hardball/execution/execute.hpp"
 #include "hardball/geometry/inlining.hpp"
 #include "hardball/world/audit.hpp"
+#include "hardball/world/curve_order.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
 
@@ -32,28 +37,28 @@ namespace hardball {
 /// which the forecast knows. A planned contact is a contact computed exactly, or a bound of it; only exact
 /// contacts are ever executed, so bounds affect the speed and not the history. An engine is a value: it can
 /// be copied, and many can coexist.
-template <EventQueue Queue, BroadPhase Phase>
-class Engine {
+template <EventQueue Queue>
+class Engine final : public EngineBase {
  public:
-  /// Takes over a world as it is at `now`. Precondition: no path starts later, no two spheres overlap.
-  Engine(World world, Phase phase, const Time& now, InstructionSet instructions = widest_instruction_set(),
-         const Progress& progress = {})
-      : forecast_(std::move(world), std::move(phase), instructions) {
+  /// Takes over a world as it is at `now`, with a broad phase of these settings. Precondition: no path starts
+  /// later, no two spheres overlap.
+  Engine(World world, const PhaseSettings& settings, const Time& now, const Progress& progress = {})
+      : forecast_(std::move(world), settings) {
     rebuild(now, progress);
   }
+  std::unique_ptr<EngineBase> clone() const override { return std::make_unique<Engine>(*this); }
 
-  const World& world() const { return forecast_.world(); }
-  const Phase& phase() const { return forecast_.phase(); }
-  /// See BroadPhase.
-  static bool supports(const World& world, double length) { return Phase::supports(world, length); }
-  PhaseLengths lengths() const { return phase().lengths(); }
-  const Aftermath& aftermath() const { return aftermath_; }
-  /// Continues for another engine, or with an aftermath that has been edited between runs.
-  void take_over(const Aftermath& aftermath) { aftermath_ = aftermath; }
-  /// The time of the last event handled.
-  const Time& now() const { return forecast_.now(); }
+  const World& world() const override { return forecast_.world(); }
+  World& world_to_edit() override { return forecast_.world(); }
+  const BroadPhase& phase() const { return forecast_.phase(); }
+  PhaseLengths lengths() const override { return phase().lengths(); }
+  Aftermath aftermath() const override { return aftermath_; }
+  void take_over(const Aftermath& aftermath) override { aftermath_ = aftermath; }
+  /// The part of the aftermath that domains divide among them.
+  const CollapseGuard& collapse_guard() const { return aftermath_.collapse; }
+  Time now() const override { return forecast_.now(); }
 
-  Counters counters() const {
+  Counters counters() const override {
     Counters counters = counters_ + forecast_.counters();
     const QueueCounters queue = queue_.counters();
     counters.leave += forecast_.phase().left_count();
@@ -61,15 +66,18 @@ class Engine {
     return counters;
   }
 
-  std::size_t memory_bytes() const {
+  std::size_t memory_bytes() const override {
     return forecast_.memory_bytes() + queue_.memory_bytes() + aftermath_.collapse.memory_bytes();
   }
 
-  /// Handles events in order, calling observe(contact) after every collision and wall contact. Spheres that
-  /// have merged merge at once with those that they overlap, if the response does so. The observer may call
-  /// change_velocities, `add` and `remove`, and stops the run by returning false. Error: RunFailure on
-  /// inelastic collapse; whatever the response or the observer throws. If the response throws, its event has
-  /// not happened.
+  RunStatus run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) override {
+    return run(limits, [&](const Contact& contact) {
+      sums.note(contact);
+      return !observer || observer.note(contact);
+    });
+  }
+  /// Runs as the other, and calls observe(contact) after every contact. If that returns a bool, it says
+  /// whether to continue.
   template <class Observe>
   RunStatus run(const RunLimits& limits, Observe&& observe) {
     std::uint64_t contacts = 0;
@@ -103,9 +111,7 @@ class Engine {
     }
   }
 
-  /// The next collision or wall contact up to `until`, without executing it, and without asking
-  /// whether spheres that have just merged do so again. Precondition: not is_outdated().
-  std::optional<Event> next_contact(const Time& until) {
+  std::optional<Event> next_contact(const Time& until) override {
     for (;;) {
       const Slot next = least_until(within_range(until));
       if (next == kNoOwner) return std::nullopt;
@@ -116,9 +122,7 @@ class Engine {
   /// Whether anything is to come, if only a crossing.
   bool has_events() { return queue_.least(forecast_) != kNoOwner; }
 
-  /// Changes velocities at `moment`, each of another sphere. Precondition: all events before it have been
-  /// handled, and none after it. Cost: a prediction each.
-  void change_velocities(const Time& moment, std::span<const NewVelocity> changes) {
+  void change_velocities(const Time& moment, std::span<const NewVelocity> changes) override {
     for (const NewVelocity& change : changes) {
       const Image folded = forecast_.world().change_velocity(change.slot, moment, change.after);
       if (is_outdated_) continue;
@@ -133,10 +137,7 @@ class Engine {
     }
   }
 
-  /// Adds a sphere at `moment`, and returns its id. Precondition: as for change_velocities. Cost: as of a
-  /// collision, amortized; O(large spheres) where some are much larger than cells. Error: see World::add and
-  /// require_room.
-  SphereId add(const Sphere& sphere, const Time& moment) {
+  SphereId add(const Sphere& sphere, const Time& moment) override {
     World& world = forecast_.world();
     const SphereId id = world.add(sphere, moment);
     const auto slot = static_cast<Slot>(world.size() - 1);
@@ -164,10 +165,8 @@ class Engine {
     return id;
   }
 
-  /// Removes a sphere at `moment`. Precondition: as for change_velocities. Cost: as of a collision. Error: no
-  /// sphere has this id.
-  void remove(SphereId id, const Time& moment) { remove_at(world().slot_of(id), moment); }
-  /// The same of the sphere in a slot.
+  void remove(SphereId id, const Time& moment) override { remove_at(world().slot_of(id), moment); }
+  /// Removes the sphere in a slot. Precondition: as for `remove`.
   void remove_at(Slot slot, const Time& moment) {
     journal_.note_merged(moment, aftermath_.merged);
     aftermath_.merged.forget(world().id(slot));
@@ -200,58 +199,47 @@ class Engine {
   /// Where the spheres of the last contact are stored. Precondition: they have not merged.
   const Participants& participants() const { return participants_; }
 
-  /// Whether the broad phase does not fit the spheres, or is of a later time: `rebuild` must follow before
-  /// the next run.
-  bool is_outdated() const { return is_outdated_; }
+  bool is_outdated() const override { return is_outdated_; }
 
-  /// Starts to record what is needed to rewind to `moment` or a later one; discards earlier records.
-  /// Precondition: as for change_velocities.
-  void begin_journal(const Time& moment) {
+  void begin_journal(const Time& moment) override {
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
     journal_.begin(moment);
     forecast_.world().begin_journal();
     aftermath_.collapse.begin_journal();
   }
-  void end_journal() {
+  void end_journal() override {
     journal_.end();
     forecast_.world().end_journal();
     aftermath_.collapse.end_journal();
   }
 
-  /// Goes back to `moment`, as if nothing had happened after it; only counters of work keep their values.
-  /// Without a journal since then, nothing but crossings may have happened after it. Cost: as of what was
-  /// done since; but where all has been rebuilt since, and without a journal, the engine is outdated
-  /// afterwards.
-  void rewind(const Time& moment) {
+  void rewind(const Time& moment) override {
     if (!(now() > moment)) return;
     is_outdated_ |= !journal_.reaches(moment);
     undo(moment, moment);
   }
-  /// Goes back to where the journal begins, before simultaneous events, too. Precondition: there is a
-  /// journal. Cost: as of `rewind`.
-  void rewind_to_begin() {
+  void rewind_to_begin() override {
     is_outdated_ |= !journal_.reaches_begin();
     undo(EngineJournal::kLongAgo, journal_.begin_time());
   }
 
-  /// Discards all predictions and regions and rebuilds them as of `now`, with a broad phase of these
-  /// settings. The motion is not affected. Cost: O(n).
-  void rebuild(const Time& now, const PhaseSettings& settings) {
+  /// As EngineBase has it; puts spheres into an order that is good for caches.
+  void rebuild(const Time& now, const PhaseSettings& settings) override {
+    if (settings.kind != PhaseKind::all_pairs) put_in_order(forecast_.world(), now);
+    rebuild_in_place(now, settings);
+  }
+  /// Rebuilds everything, and leaves spheres in their slots.
+  void rebuild_in_place(const Time& now, const PhaseSettings& settings) {
     const QueueCounters queue = queue_.counters();
     counters_.leave += forecast_.phase().left_count();
     counters_.queue_operations += queue.scheduled + queue.taken;
     ++counters_.rebuilds;
-    forecast_.replace(Phase(settings));
+    forecast_.replace_phase(settings);
     rebuild(now, Progress());
   }
 
-  /// The world for editing between runs; unless only the responses change, `rebuild` must follow.
-  World& world_to_edit() { return forecast_.world(); }
-
-  /// Checks every structure, and that every contact is predicted; throws BrokenInvariant. Cost:
-  /// O(candidates).
-  void validate() const {
+  void validate() const override {
     if (!is_outdated_) hardball::validate(forecast_);
   }
 
@@ -403,7 +391,7 @@ class Engine {
     if ((contacts & (contacts - 1)) == 0) validate();
   }
 
-  Forecast<Phase> forecast_;
+  Forecast forecast_;
   Queue queue_;
   StandstillGuard standstill_guard_;
   Prefetching prefetching_;
@@ -414,5 +402,8 @@ class Engine {
   Aftermath aftermath_;
   EngineJournal journal_;
 };
+
+extern template class Engine<CalendarQueue>;
+extern template class Engine<OrderedQueue>;
 
 }  // namespace hardball

@@ -12,6 +12,7 @@
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/engine/bound_watch.hpp"
 #include "hardball/engine/check_forecast.hpp"
+#include "hardball/engine/owned_phase.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/events/event_queue.hpp"
@@ -32,20 +33,25 @@ namespace hardball {
 /// others are excluded, all contacts of the sphere are computed exactly. A planned contact whose partner's
 /// path has changed since is stale, and the sphere predicts again. Whoever changes a plan schedules the
 /// sphere. Source: docs/bounds.md, with the proof.
-template <BroadPhase Phase>
 class Forecast {
  public:
-  Forecast(World world, Phase phase, InstructionSet instructions)
-      : world_(std::move(world)), phase_(std::move(phase)), predictor_(instructions) {}
+  /// Makes no regions or plans: `rebuild` must follow.
+  Forecast(World world, const PhaseSettings& settings)
+      : world_(std::move(world)),
+        phase_(make_broad_phase(settings, world_)),
+        predictor_(settings.instructions) {}
 
   const World& world() const { return world_; }
   World& world() { return world_; }
-  const Phase& phase() const { return phase_; }
+  const OwnedPhase& owned_phase() const { return phase_; }
+  const BroadPhase& phase() const { return *phase_; }
   /// Replaces the broad phase; `rebuild` must follow.
-  void replace(Phase phase) { phase_ = std::move(phase); }
+  void replace_phase(const PhaseSettings& settings) {
+    phase_ = OwnedPhase(make_broad_phase(settings, world_));
+  }
   const CompactPaths& copies() const { return compact_; }
-  const Plan& plan(Slot slot) const { return phase_.lines()[slot].plan; }
-  SphereId id(Slot slot) const { return phase_.lines()[slot].id; }
+  const Plan& plan(Slot slot) const { return phase_.line(slot).plan; }
+  SphereId id(Slot slot) const { return phase_.line(slot).id; }
   bool uses_minimum_image() const { return uses_minimum_image_; }
   /// The time up to which all events have been handled.
   const Time& now() const { return now_; }
@@ -53,7 +59,7 @@ class Forecast {
   /// Of predictions only.
   const Counters& counters() const { return counters_; }
   std::size_t memory_bytes() const {
-    return world_.memory_bytes() + phase_.memory_bytes() + compact_.memory_bytes() +
+    return world_.memory_bytes() + phase_->memory_bytes() + compact_.memory_bytes() +
            images_.capacity() * sizeof(Image);
   }
 
@@ -61,7 +67,7 @@ class Forecast {
   void rebuild(const Time& now, const Progress& progress);
 
   /// Whether a sphere can be inserted without rebuilding.
-  bool admits(Slot slot) const { return phase_.admits(world_, slot); }
+  bool admits(Slot slot) const { return phase_->admits(world_, slot); }
 
   /// Makes a region for a sphere that has none, as of now. It remains to be predicted. Precondition:
   /// admits(slot).
@@ -116,7 +122,7 @@ class Forecast {
     compact_.copy(world_, slot, now_);
     if (!plan(slot).is_renewal()) {
       ++counters_.enter;
-      phase_.cross(world_, slot, now_, compact_, candidates_);
+      phase_->cross(world_, slot, now_, compact_, candidates_);
       if (has_excluded_) exclude(candidates_, step_candidates_);
       counters_.predictions += candidates_.size();
       counters_.enter_predictions += candidates_.size();
@@ -152,7 +158,7 @@ class Forecast {
 
   /// Takes note that a sphere's path has changed, its center folded back by `folded` boxes.
   void note_new_path(Slot slot, const Image& folded) {
-    phase_.refresh(world_, slot, now_, folded);
+    phase_->refresh(world_, slot, now_, folded);
     note_revision(slot);
     compact_.copy(world_, slot, now_);
   }
@@ -253,7 +259,8 @@ class Forecast {
     world_.prefetch(slot);
     if (!are_alike_) world_.prefetch_size(slot);
     compact_.prefetch(slot);
-    phase_.prefetch_region(slot);
+    phase_->prefetch_line(slot);
+    if (phase_->has_more_data()) phase_.visit([&](const auto& phase) { phase.prefetch_more(slot); });
   }
 
   /// The spheres that one may meet, without those that are inside of a step with it.
@@ -265,7 +272,7 @@ class Forecast {
  private:
   static_assert(CompactPaths::kRevision == Plan::kRevision);
 
-  Plan& mutable_plan(Slot slot) { return phase_.lines()[slot].plan; }
+  Plan& mutable_plan(Slot slot) { return phase_.line(slot).plan; }
 
   // The image of the partner that is met. Precondition: the planned contact is a collision, not stale.
   Image image_of_partner(Slot slot) const {
@@ -276,7 +283,7 @@ class Forecast {
 
   // The same, and those that are.
   void collect(Slot slot, Candidates& candidates, StepCandidates& pairs) const {
-    phase_.collect(world_, slot, candidates);
+    phase_.visit([&](const auto& phase) { phase.collect(world_, slot, candidates); });
     if (has_excluded_) [[unlikely]]
       exclude(candidates, pairs);
   }
@@ -358,7 +365,9 @@ class Forecast {
   double obstacle_range() const { return uses_minimum_image_ ? 0.5 : 2; }
 
   void plan_crossing(Slot slot) {
-    mutable_plan(slot).set_crossing(phase_.next_crossing(world_, slot, now_, compact_));
+    phase_.visit([&](auto& phase) {
+      mutable_plan(slot).set_crossing(phase.next_crossing(world_, slot, now_, compact_));
+    });
     if (uses_minimum_image_) expire(slot);
   }
 
@@ -400,7 +409,7 @@ class Forecast {
   void postpone(Slot slot) { mutable_plan(slot).set_unknown(plan(slot).safe_until()); }
 
   World world_;
-  Phase phase_;
+  OwnedPhase phase_;
   Predictor predictor_;
   CompactPaths compact_;
   BoundWatch bound_watch_;
@@ -424,5 +433,3 @@ class Forecast {
 };
 
 }  // namespace hardball
-
-#include "hardball/engine/forecast_changes.hpp"

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "hardball/engine/forecast.hpp"
 #include "hardball/events/event_queue.hpp"
 #include "hardball/events/plan.hpp"
 
@@ -16,25 +17,25 @@ class Prefetching {
  public:
   /// To be called before every event. `observe` is told of contacts; what it needs for that is prefetched by
   /// observe.prefetch(slot), if it has such a member.
-  template <class Forecast, class Queue, class Observe>
+  template <class Queue, class Observe>
   void prefetch_ahead(const Forecast& forecast, const Queue& queue, const Observe& observe) {
     if constexpr (requires { queue.upcoming(0); }) {
       if (forecast.is_cached()) {
         prefetch_regions(forecast, queue, observe);
       } else {
-        prefetch_in_stages(forecast, queue, observe);
+        forecast.owned_phase().visit(
+            [&](const auto& phase) { prefetch_in_stages(forecast, phase, queue, observe); });
       }
     }
   }
 
   /// To be called before predicting slots[i], if all are to be predicted in turn.
-  template <class Forecast>
   static void prefetch_prediction(const Forecast& forecast, std::span<const Slot> slots, std::size_t i) {
     constexpr std::size_t kSphere = 6;
     constexpr std::size_t kLists = 4;
     constexpr std::size_t kCandidates = 2;
     if (forecast.is_cached()) return;
-    const auto& phase = forecast.phase();
+    const BroadPhase& phase = forecast.phase();
     if (i + kSphere < slots.size()) forecast.prefetch_sphere(slots[i + kSphere]);
     if (i + kLists < slots.size()) phase.prefetch_lists(slots[i + kLists], false);
     if (i + kCandidates < slots.size())
@@ -48,7 +49,7 @@ class Prefetching {
   }
 
   // Even with few spheres, regions may have been evicted from L1.
-  template <class Forecast, class Queue, class Observe>
+  template <class Queue, class Observe>
   static void prefetch_regions(const Forecast& forecast, const Queue& queue, const Observe& observe) {
     constexpr std::size_t kAhead = 2;
     constexpr std::size_t kPlan = 5;
@@ -64,8 +65,9 @@ class Prefetching {
   }
 
   // Each stage runs a few events before the next, whose addresses it loads.
-  template <class Forecast, class Queue, class Observe>
-  void prefetch_in_stages(const Forecast& forecast, const Queue& queue, const Observe& observe) {
+  template <class Phase, class Queue, class Observe>
+  void prefetch_in_stages(const Forecast& forecast, const Phase& phase, const Queue& queue,
+                          const Observe& observe) {
     constexpr std::size_t kSphere = 9;
     constexpr std::size_t kPartner = 6;
     constexpr std::size_t kLists = 4;
@@ -79,7 +81,6 @@ class Prefetching {
         if (const Owner slot = queue.upcoming(i); slot != kNoOwner) visit(slot);
       }
     };
-    const auto& phase = forecast.phase();
     for_upcoming(kSphere, [&](Slot slot) { forecast.prefetch_sphere(slot); });
     for_upcoming(kPartner, [&](Slot slot) {
       const Plan& plan = forecast.plan(slot);

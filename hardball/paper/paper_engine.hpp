@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -14,6 +15,7 @@
 
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/broadphase/subdivision.hpp"
+#include "hardball/engine/engine_base.hpp"
 #include "hardball/engine/engine_journal.hpp"
 #include "hardball/engine/rewind.hpp"
 #include "hardball/engine/run.hpp"
@@ -34,35 +36,31 @@ namespace hardball {
 /// subspaces that intersect it and its own candidate events. Each event updates both trees; the least
 /// candidate is always the next event. Not in the paper: mixed radii and masses, periodic and open axes, and
 /// subspaces that admit a sphere slightly early and release it slightly late. Cost: O(log n) per event.
-class PaperEngine {
+class PaperEngine final : public EngineBase {
  public:
   /// The length is the wanted edge of the subspaces. Error: it is less than least_edge. Precondition:
   /// supports(world).
   PaperEngine(World world, const PhaseSettings& settings, const Time& now) : world_(std::move(world)) {
     rebuild(now, settings);
   }
+  std::unique_ptr<EngineBase> clone() const override { return std::make_unique<PaperEngine>(*this); }
 
   /// Whether all paths are straight, no images slide, and obstacles have none in a periodic box.
   static bool supports(const World& world) {
     return world.motion().is_straight() && !world.box().is_sheared() && !has_images_of_obstacles(world);
   }
-  /// As BroadPhase has it.
-  static bool supports(const World& world, double edge) {
-    return supports(world) && edge >= least_edge(world);
-  }
   /// The largest diameter [L]: in smaller subspaces a sphere could intersect more than eight.
   static double least_edge(const World& world) { return 2 * world.largest_bounding_radius(); }
 
-  const World& world() const { return world_; }
-  const Aftermath& aftermath() const { return aftermath_; }
-  void take_over(const Aftermath& aftermath) { aftermath_ = aftermath; }
-  /// The time of the last event.
-  const Time& now() const { return now_; }
-  const Counters& counters() const { return counters_; }
-  /// Those of the subspaces.
-  PhaseLengths lengths() const { return {.cell_edges = subdivision_.edges()}; }
+  const World& world() const override { return world_; }
+  World& world_to_edit() override { return world_; }
+  Aftermath aftermath() const override { return aftermath_; }
+  void take_over(const Aftermath& aftermath) override { aftermath_ = aftermath; }
+  Time now() const override { return now_; }
+  Counters counters() const override { return counters_; }
+  PhaseLengths lengths() const override { return {.cell_edges = subdivision_.edges()}; }
 
-  std::size_t memory_bytes() const {
+  std::size_t memory_bytes() const override {
     constexpr std::size_t kTreeLinks = 4 * sizeof(void*);
     std::size_t bytes = world_.memory_bytes() + aftermath_.collapse.memory_bytes();
     bytes += records_.capacity() * sizeof(SphereRecord);
@@ -75,9 +73,11 @@ class PaperEngine {
     return bytes;
   }
 
-  /// As Engine::run.
-  template <class Observe>
-  RunStatus run(const RunLimits& limits, Observe&& observe) {
+  RunStatus run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) override {
+    const auto observe = [&](const Contact& contact) {
+      sums.note(contact);
+      return !observer || observer.note(contact);
+    };
     std::uint64_t contacts = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
     const Time until = within_range(limits.until);
@@ -86,7 +86,7 @@ class PaperEngine {
       if (!aftermath_.merged.empty()) {
         if (step == limits.steps) return RunStatus::steps_reached;
         if (coalesce()) {
-          const bool continues = notify(observe, std::as_const(done_.contact));
+          const bool continues = observe(done_.contact);
           if (++contacts == limits.contacts) return RunStatus::contacts_reached;
           if (!continues) return RunStatus::observer_stopped;
           continue;
@@ -96,14 +96,13 @@ class PaperEngine {
       if (step == limits.steps) return RunStatus::steps_reached;
       const Event event = *event_tree_.begin();
       if (handle_without_contact(event)) continue;
-      const bool continues = notify(observe, carry_out(event));
+      const bool continues = observe(carry_out(event));
       if (++contacts == limits.contacts) return RunStatus::contacts_reached;
       if (!continues) return RunStatus::observer_stopped;
     }
   }
 
-  /// As Engine::next_contact.
-  std::optional<Event> next_contact(const Time& until) {
+  std::optional<Event> next_contact(const Time& until) override {
     const double end = within_range(until).high;
     while (!event_tree_.empty() && event_tree_.begin()->time.high <= end) {
       const Event event = *event_tree_.begin();
@@ -112,8 +111,7 @@ class PaperEngine {
     return std::nullopt;
   }
 
-  /// As Engine::change_velocities.
-  void change_velocities(const Time& moment, std::span<const NewVelocity> changes) {
+  void change_velocities(const Time& moment, std::span<const NewVelocity> changes) override {
     for (const NewVelocity& change : changes) {
       world_.change_velocity(change.slot, moment, change.after);
       if (is_outdated_) continue;
@@ -125,8 +123,7 @@ class PaperEngine {
     }
   }
 
-  /// As Engine::add.
-  SphereId add(const Sphere& sphere, const Time& moment) {
+  SphereId add(const Sphere& sphere, const Time& moment) override {
     const SphereId id = world_.add(sphere, moment);
     const auto slot = static_cast<Slot>(world_.size() - 1);
     const bool is_admitted = !is_outdated_ && admits(slot);
@@ -149,8 +146,7 @@ class PaperEngine {
     return id;
   }
 
-  /// As Engine::remove.
-  void remove(SphereId id, const Time& moment) {
+  void remove(SphereId id, const Time& moment) override {
     const Slot slot = world_.slot_of(id);
     journal_.note_merged(moment, aftermath_.merged);
     aftermath_.merged.forget(id);
@@ -160,31 +156,27 @@ class PaperEngine {
     remove(slot);
   }
 
-  /// As Engine::is_outdated.
-  bool is_outdated() const { return is_outdated_; }
+  bool is_outdated() const override { return is_outdated_; }
 
-  /// As Engine::begin_journal and Engine::end_journal.
-  void begin_journal(const Time& moment) {
+  void begin_journal(const Time& moment) override {
     HARDBALL_CHECK(moment >= now_);
     now_ = moment;
     journal_.begin(moment);
     world_.begin_journal();
     aftermath_.collapse.begin_journal();
   }
-  void end_journal() {
+  void end_journal() override {
     journal_.end();
     world_.end_journal();
     aftermath_.collapse.end_journal();
   }
 
-  /// As Engine::rewind and Engine::rewind_to_begin; the engine is outdated afterwards.
-  void rewind(const Time& moment) {
+  void rewind(const Time& moment) override {
     if (now_ > moment) undo(moment, moment);
   }
-  void rewind_to_begin() { undo(EngineJournal::kLongAgo, journal_.begin_time()); }
+  void rewind_to_begin() override { undo(EngineJournal::kLongAgo, journal_.begin_time()); }
 
-  /// As Engine::rebuild: the preprocessing of the paper.
-  void rebuild(const Time& now, const PhaseSettings& settings) {
+  void rebuild(const Time& now, const PhaseSettings& settings) override {
     const double edge = settings.length;
     if (edge < least_edge(world_)) {
       throw Error("the cell edge " + to_text(edge) + " is less than the largest diameter", "cell edge",
@@ -200,11 +192,9 @@ class PaperEngine {
     for (Slot slot = 0; slot < world_.size(); ++slot) predict_all(slot);
   }
 
-  World& world_to_edit() { return world_; }
-
-  /// Checks that spheres are in the subspaces that intersect them and that no candidate is missing; throws
-  /// BrokenInvariant.
-  void validate() const {
+  // Checks that spheres are in the subspaces that intersect them and that no candidate is missing; throws
+  // BrokenInvariant.
+  void validate() const override {
     if (is_outdated_) return;
     for (Slot slot = 0; slot < world_.size(); ++slot) {
       const CellRange& range = records_[slot].subspaces;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstring>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -38,10 +37,16 @@ class HARDBALL_EXPORT Processes {
     gather_bytes(&own, sizeof(T), all.data());
     return all;
   }
-  /// The same for texts of any length.
+  /// The texts of all processes, of any length, by rank.
   std::vector<std::string> gather(const std::string& own);
-  /// The texts of all processes in the first of them, by rank; in the others nothing.
-  std::vector<std::string> gather_in_first(std::string own);
+  /// The value of the first process, in all of them. Precondition: T is trivially copyable.
+  template <class T>
+  T of_first(const T& own) {
+    struct Value {
+      T value;
+    };
+    return size() == 1 ? own : gather(Value{own}).front().value;
+  }
   /// Sends outgoing[k] to process k, and returns what each has sent. Precondition: `outgoing` has size().
   std::vector<std::string> exchange_with_all(std::vector<std::string> outgoing);
 
@@ -51,17 +56,7 @@ class HARDBALL_EXPORT Processes {
   std::vector<std::size_t> others() const;
 };
 
-/// One process alone.
-class HARDBALL_EXPORT OneProcess final : public Processes {
- public:
-  std::size_t rank() const override { return 0; }
-  std::size_t size() const override { return 1; }
-  std::vector<std::string> exchange(std::span<const std::size_t>, std::span<const std::string>) override {
-    return {};
-  }
-
- private:
-  void gather_bytes(const void* own, std::size_t bytes, void* all) override { std::memcpy(all, own, bytes); }
-};
+/// One process alone, which hears of nobody.
+HARDBALL_EXPORT Processes& one_process();
 
 }  // namespace hardball

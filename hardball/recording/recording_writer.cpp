@@ -326,4 +326,10 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   state_.begin = end;
 }
 
+Observer recording_observer(RecordingWriter& writer, const Simulation& simulation) {
+  return {.contact = [&](const Contact& contact) { writer.note(contact, simulation); },
+          .change = [&](const VelocityChange& change) { writer.note(change, simulation.world()); },
+          .epoch = [&](const Growth& epoch) { writer.note(epoch); }};
+}
+
 }  // namespace hardball

@@ -13,6 +13,7 @@
 #include "hardball/interaction/contact.hpp"
 #include "hardball/io/output_file.hpp"
 #include "hardball/recording/recording.hpp"
+#include "hardball/run/observer.hpp"
 #include "hardball/world/velocity_change.hpp"
 #include "hardball/world/world.hpp"
 
@@ -52,7 +53,7 @@ class HARDBALL_EXPORT RecordingWriter {
   /// The same of a contact in which no spheres merge.
   void note(const Contact& contact);
   /// The same of a contact of a simulation, which is asked for the world only if spheres merge: for
-  /// Simulation::log_contacts.
+  /// Observer::contact.
   void note(const Contact& contact, const Simulation& simulation);
   void note(const VelocityChange& change, const World& world);
   /// An epoch of growth has begun. Precondition: likewise; the header says that spheres may grow.
@@ -113,5 +114,9 @@ class HARDBALL_EXPORT RecordingWriter {
   State state_;
   bool is_untouched_ = false;  // since it was opened to continue
 };
+
+/// What writes the contacts and changes of a simulation, from where it is on, to a recording. The writer and
+/// the simulation outlive it.
+HARDBALL_EXPORT Observer recording_observer(RecordingWriter& writer, const Simulation& simulation);
 
 }  // namespace hardball

@@ -7,10 +7,13 @@
 #include "hardball/errors/error.hpp"
 
 namespace hardball {
+
 Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
-                           const OnProgress& on_progress) {
+                           const OnProgress& on_progress, Processes& processes) {
   try {
-    Simulation simulation(std::move(start), options, on_progress);
+    Simulation simulation = processes.size() > 1
+                                ? Simulation::from_parts(std::move(start), options, processes)
+                                : Simulation(std::move(start), options, on_progress);
     if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
     if (scenario.growth) simulation.grow(*scenario.growth);
     return simulation;

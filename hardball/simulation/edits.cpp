@@ -7,8 +7,8 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/run/engine_manager.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/simulation/tuner.hpp"
 #include "hardball/simulation/user_data.hpp"
 
 namespace hardball {
@@ -22,21 +22,21 @@ void Simulation::respond_with(Function<Velocities(const Contact&)> response) {
 
 void Simulation::respond_with(Function<Outcome(const Contact&)> response) {
   check_editable("respond_with");
-  Interactions changed = world().interactions();
+  Interactions changed = setting().interactions();
   changed.set_function(std::move(response));
-  check_threads(options(), world().box(), changed);
-  tuner_->engine().world_to_edit().set_interactions(changed);
+  check_division(options(), processes(), setting().box(), changed);
+  manager_->engine().world_to_edit().set_interactions(changed);
   sums_.tally.set_interactions(changed);
 }
 
 void Simulation::respond_with(const ResponseTable& table) {
   check_editable("respond_with");
   ResponseTable responses = table;
-  responses.pass_as_in(world().interactions().table());
+  responses.pass_as_in(setting().interactions().table());
   Interactions changed(responses);
-  changed.set_steps(world().interactions().steps());
-  check_threads(options(), world().box(), changed);
-  tuner_->engine().world_to_edit().set_interactions(changed);
+  changed.set_steps(setting().interactions().steps());
+  check_division(options(), processes(), setting().box(), changed);
+  manager_->engine().world_to_edit().set_interactions(changed);
   sums_.tally.set_interactions(changed);
 }
 
@@ -46,29 +46,31 @@ void Simulation::respond_with(std::nullptr_t) {
 
 void Simulation::set_thermostat(std::optional<Thermostat> thermostat) {
   check_editable("set_thermostat");
-  thermostat_ = std::move(thermostat);
-  if (thermostat_) thermostat_->begin(world(), now_);
+  if (thermostat) thermostat->begin(world(), now_);
+  actors_.thermostat.thermostat = std::move(thermostat);
   is_rescheduled_ = true;
 }
 
 void Simulation::grow(const GrowthRules& rules, std::optional<double> compressibility) {
   check_editable("grow");
-  tuner_->end_look_ahead(now_);
-  GrowthSchedule schedule(rules);
-  begin_epoch({schedule.begin(world(), sums_.tally, now_, compressibility)}, now_, nullptr);
-  growth_ = schedule;
+  manager_->end_look_ahead(now_);
+  GrowthActor growth;
+  growth.schedule.emplace(rules);
+  const Growth first = growth.schedule->begin(world(), sums_.tally, now_, compressibility);
+  begin_epoch({.epoch = first}, growth, now_, nullptr);
+  actors_.growth = growth;
   is_rescheduled_ = true;
 }
 
 void Simulation::stop_growing() {
   check_editable("stop_growing");
-  growth_.reset();
-  if (!world().motion().has_growth()) return;
-  tuner_->end_look_ahead(now_);
-  tuner_->engine().rewind(now_);
+  actors_.growth = {};
+  if (!setting().motion().has_growth()) return;
+  manager_->end_look_ahead(now_);
+  manager_->engine().rewind(now_);
   const Growth last{now_, kNever, world().motion().scale_at(now_), 0};
-  tuner_->engine().world_to_edit().end_growth(now_);
-  tuner_->rebuild(now_);
+  manager_->engine().world_to_edit().end_growth(now_);
+  manager_->rebuild(now_);
   tell_of_epoch(last);
   is_rescheduled_ = true;
 }
@@ -107,8 +109,8 @@ void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* 
     changes.push_back({slot, world().velocity(slot, now_), edit.velocity});
     energies.push_back(kinetic_energy(world(), slot, now_));
   }
-  tuner_->end_look_ahead(now_);
-  tuner_->engine().change_velocities(now_, changes);
+  manager_->end_look_ahead(now_);
+  manager_->engine().change_velocities(now_, changes);
   for (std::size_t i = 0; i < changes.size(); ++i) {
     sums_.tally.note_edit(kinetic_energy(world(), changes[i].slot, now_) - energies[i], now_);
   }
@@ -118,13 +120,10 @@ void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* 
 SphereId Simulation::add(const Sphere& sphere) {
   check_editable("add");
   check_not_growing("add");
-  tuner_->end_look_ahead(now_);
-  const SphereId id = tuner_->engine().add(sphere, now_);
+  manager_->end_look_ahead(now_);
+  const SphereId id = manager_->engine().add(sphere, now_);
   sums_.tally.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
-  if (thermostat_) {
-    thermostat_->note_added(id, now_);
-    is_rescheduled_ = true;
-  }
+  is_rescheduled_ |= actors_.note_added(id, now_);
   return id;
 }
 
@@ -132,11 +131,10 @@ void Simulation::remove(SphereId id) {
   check_editable("remove");
   check_not_growing("remove");
   const double energy = kinetic_energy(world(), world().slot_of(id), now_);
-  tuner_->end_look_ahead(now_);
-  tuner_->engine().remove(id, now_);
-  user_data_->remove(id);
+  manager_->end_look_ahead(now_);
+  manager_->engine().remove(id, now_);
   sums_.tally.note_edit(-energy, now_);
-  forget_at_thermostat(id);
+  note_removed(id);
 }
 
 }  // namespace hardball

@@ -5,22 +5,22 @@
 #include <utility>
 
 #include "hardball/geometry/range.hpp"
-#include "hardball/simulation/agenda.hpp"
+#include "hardball/run/engine_manager.hpp"
+#include "hardball/run/run_schedule.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/simulation/tuner.hpp"
 
 namespace hardball {
 
 std::optional<NextContact> Simulation::next_contact(double until) {
   check_idle("next_contact");
   check_not_past(Time(until));
-  tuner_->make_ready(now_);
-  AnyEngine& engine = tuner_->engine();
+  manager_->make_ready(now_);
+  EngineBase& engine = manager_->engine();
   const Time end(until);
-  const Time action = next_action();
+  const Time action = actors_.next().next();
   const bool acts = action <= end && action < kNever;
   if (engine.aftermath().merged.empty()) {
-    if (!world().has_journal()) engine.begin_journal(later(now_, engine.now()));
+    if (!setting().has_journal()) engine.begin_journal(later(now_, engine.now()));
     const std::optional<Event> next = engine.next_contact(acts ? action : end);
     if (next) return NextContact{next->time.value(), next->kind, next->first, next->second};
     if (!acts) return std::nullopt;
@@ -48,9 +48,7 @@ std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t 
 void Simulation::look_ahead_in_copy(const Time& until, std::uint64_t most,
                                     const Function<void(const Contact&)>& observe) const {
   Simulation copy(*this);
-  copy.log_ = {};
-  copy.change_listener_ = {};
-  copy.epoch_listener_ = {};
+  copy.observe({});
   copy.on_contact(observe);
   copy.run({.until = until, .contacts = most});
 }
@@ -58,38 +56,38 @@ void Simulation::look_ahead_in_copy(const Time& until, std::uint64_t most,
 // Runs the engine ahead, up to so many contacts, and takes it back.
 void Simulation::look_ahead(const Time& until, std::uint64_t most,
                             const Function<void(const Contact&)>& observe) {
-  // Epochs of growth follow from sums that a look-ahead does not keep.
-  if (growth_ && !growth_->is_over()) return look_ahead_in_copy(until, most, observe);
+  // A look-ahead does not keep such sums.
+  if (actors_.depend_on_sums()) return look_ahead_in_copy(until, most, observe);
   const Activity::During running(activity_, Activity::Kind::running);
-  const std::optional<Thermostat> thermostat = thermostat_;
+  const Actors actors = actors_;
   const Counters before = counters();
-  tuner_->end_look_ahead(now_);
-  tuner_->make_ready(now_);
-  tuner_->engine().begin_journal(later(now_, tuner_->engine().now()));
+  manager_->end_look_ahead(now_);
+  manager_->make_ready(now_);
+  manager_->engine().begin_journal(later(now_, manager_->engine().now()));
   const auto take_back = [&] {
-    tuner_->undo_look_ahead(before);
-    thermostat_ = thermostat;
+    manager_->undo_look_ahead(before);
+    actors_ = actors;
   };
   ContactSums unused = sums_.part();
   Time last_change = sums_.tally.last_change();
   const auto note = [&](const Contact& contact) {
     last_change = contact.time;
-    if (contact.outcome == ContactOutcome::merge) forget_at_thermostat(contact.second);
+    if (contact.outcome == ContactOutcome::merge) is_rescheduled_ |= actors_.note_removed(contact.second);
     observe(contact);
     return !is_rescheduled_;
   };
   try {
-    Agenda agenda({.until = until, .contacts = most}, now_);
+    RunSchedule schedule({.until = until, .contacts = most}, now_);
     do {
       is_rescheduled_ = false;
-      if (tuner_->engine().is_outdated()) tuner_->rebuild(later(now_, tuner_->engine().now()));
-      const Agenda::Item item =
-          agenda.advance(*tuner_, next_action(), kNever, contacts_of_epoch(), unused, {.note = note});
-      if (item == Agenda::Item::action) {
-        last_change = later(agenda.reached(), last_change);
-        let_thermostat_act(last_change);
+      if (manager_->engine().is_outdated()) manager_->rebuild(later(now_, manager_->engine().now()));
+      const RunSchedule::Item item = schedule.advance(*manager_, actors_.next().next(), kNever,
+                                                      Actor::kAnyNumber, unused, {.note = note});
+      if (item == RunSchedule::Item::action) {
+        last_change = later(schedule.reached(), last_change);
+        carry_out(actors_.next().act(world(), unused.tally, last_change).changes, last_change);
       }
-    } while (!agenda.is_over());
+    } while (!schedule.is_over());
   } catch (...) {
     take_back();
     throw;

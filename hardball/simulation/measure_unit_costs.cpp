@@ -9,7 +9,6 @@
 #include <numbers>
 #include <vector>
 
-#include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/engine/engine.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/numbers/random.hpp"
@@ -20,7 +19,6 @@
 namespace hardball {
 namespace {
 
-using CellEngine = Engine<CalendarQueue, CellGrid>;
 using Steps = std::array<double, 4>;  // contacts, crossings, cells, predictions
 
 // A cubic crystal has 4 k^3. A smaller box would have so few cells that several images of a sphere are in
@@ -45,7 +43,8 @@ class Trial {
  public:
   Trial(World world, double edge)
       : expected_(expected_counts(gas_statistics(world, Time(0)), edge)),
-        engine_(std::move(world), CellGrid(edge), Time(0)) {
+        engine_(std::move(world), {PhaseKind::cells, edge}, Time(0)) {
+    sums_.tally.begin(engine_.world(), Time(0));
     run(3 * kSpheres);
   }
 
@@ -80,9 +79,7 @@ class Trial {
   }
 
  private:
-  void run(std::uint64_t steps) {
-    engine_.run({.steps = steps}, [](const Contact&) {});
-  }
+  void run(std::uint64_t steps) { engine_.run({.steps = steps}, sums_, {}); }
 
   // Cells are not counted; theory gives their mean.
   Steps steps_of(const Counters& done) const {
@@ -94,7 +91,8 @@ class Trial {
   }
 
   CellCounts expected_;
-  CellEngine engine_;
+  Engine<CalendarQueue> engine_;
+  ContactSums sums_;
   std::vector<Piece> pieces_;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // A simulation as bytes.
+#include <algorithm>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -9,9 +10,9 @@
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/run/engine_manager.hpp"
 #include "hardball/simulation/saved.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/simulation/tuner.hpp"
 #include "hardball/simulation/user_data.hpp"
 
 namespace hardball {
@@ -35,24 +36,47 @@ struct SavedGrowth {
   }
 };
 
+// A sphere as archives have it.
+struct SavedTraveler {
+  Traveler traveler;
+
+  static void persist(auto& archive, auto& self) {
+    auto& state = self.traveler.state;
+    archive(state.id, state.path, state.radius, state.mass, state.inertia_factor, state.folded, state.spin,
+            state.species, self.traveler.idle_contacts);
+  }
+};
+
 }  // namespace
+
+// All but the spheres, of a simulation that several processes share.
+struct Simulation::Saved {
+  SavedOptions options;
+  World setting = World(Box::open());
+  EngineKind kind = EngineKind::automatic;
+  std::optional<Time> now = {};
+  ContactSums sums = {};
+  Counters counters = {};
+  Actors actors = {};
+  UserData user_data = {};
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.options, self.setting, self.kind, self.now, self.sums.hash, self.sums.tally, self.counters,
+            self.actors.thermostat.thermostat);
+    if (archive.version() >= kVersionOfGrowth) archive(self.actors.growth.schedule, self.user_data);
+  }
+  static constexpr std::uint32_t kVersionOfGrowth = 12;  // of archives
+};
 
 std::string Simulation::save() const {
   if (activity_.kind() == Activity::Kind::running) check_idle("save");
-  const Aftermath aftermath = tuner_->engine().aftermath();
-  return archived(SavedOptions{options()}, engine(), world(), now_, sums_.hash, sums_.tally, thermostat_,
+  const Aftermath aftermath = manager_->engine().aftermath();
+  return archived(SavedOptions{options()}, engine(), world(), now_, sums_.hash, sums_.tally, thermostat(),
                   *user_data_, aftermath.merged, UnusedFlag(), counters(), aftermath.collapse,
-                  SavedGrowth{growth_});
+                  SavedGrowth{growth()});
 }
 
-std::string saved_simulation(const SavedOptions& options, EngineKind engine, const World& world,
-                             const Time& now, const ContactSums& sums, const Counters& counters,
-                             const CollapseGuard& collapse, const std::optional<Thermostat>& thermostat) {
-  return archived(options, engine, world, now, sums.hash, sums.tally, thermostat, UserData(), MergedSpheres(),
-                  UnusedFlag(), counters, collapse, SavedGrowth());
-}
-
-Simulation Simulation::load(std::string_view bytes, const std::string& where) {
+Simulation Simulation::load(std::string_view bytes, const std::string& where, Processes& processes) {
   Simulation loaded;
   SavedOptions saved;
   EngineKind kind = EngineKind::automatic;
@@ -62,24 +86,110 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where) {
   Counters counters;
   SavedGrowth growth;
   restore(bytes, where, saved, kind, world, loaded.now_, loaded.sums_.hash, loaded.sums_.tally,
-          loaded.thermostat_, *loaded.user_data_, aftermath.merged, unused, counters, aftermath.collapse,
-          growth);
-  loaded.growth_ = growth.schedule;
+          loaded.actors_.thermostat.thermostat, *loaded.user_data_, aftermath.merged, unused, counters,
+          aftermath.collapse, growth);
+  loaded.actors_.growth.schedule = growth.schedule;
   if (saved.responses) {
     saved.responses->pass_as_in(world.interactions().table());
     world.set_interactions(*saved.responses);
   }
-  check_moment(loaded.now_, where);
-  loaded.sums_.tally.set_interactions(world.interactions());
-  if (loaded.now_ < latest_change(world) ||
-      loaded.sums_.tally.wall_count() != kFaces + world.surfaces().size())
-    refuse_archive(where);
   for (const SphereId merged : aftermath.merged.ids()) static_cast<void>(world.slot_of(merged));
+  check_division(saved.options, processes, world.box(), world.interactions());
+  loaded.begin_loaded(saved.options, kind, counters, world, where, processes);
+  loaded.manager_->prepare(world, loaded.now_);
+  loaded.manager_->start(std::move(world), loaded.now_);
+  loaded.manager_->engine().take_over(aftermath);
+  return loaded;
+}
+
+// Makes the manager of an engine that continues another one, in a world or a part of it.
+void Simulation::begin_loaded(const EngineOptions& options, EngineKind kind, Counters counters,
+                              const World& world, const std::string& where, Processes& processes) {
+  check_moment(now_, where);
+  sums_.tally.set_interactions(world.interactions());
+  if (now_ < latest_change(world) || sums_.tally.wall_count() != kFaces + world.surfaces().size())
+    refuse_archive(where);
   ++counters.rebuilds;
-  loaded.tuner_ = ValuePointer<Tuner>::make(saved.options, kind, counters);
-  loaded.tuner_->prepare(world, loaded.now_);
-  loaded.tuner_->start(std::move(world), loaded.now_);
-  loaded.tuner_->engine().take_over(aftermath);
+  manager_ = ValuePointer<EngineManager>::make(options, processes, kind, counters);
+}
+
+std::vector<std::vector<Traveler>> Simulation::own_blocks() const {
+  const CollapseGuard counts = manager_->engine().aftermath().collapse;
+  Travelers own;
+  for_each_sphere([&](const World& world, Slot slot) {
+    own.push_back({world.state_of(slot), counts.idle_contacts(world.id(slot))});
+  });
+  const std::size_t ranks = processes().size();
+  Travelers arrived = sent(std::move(own), processes(), [&](const Traveler& traveler, const auto& send_to) {
+    send_to(traveler.state.id / kBlock % ranks);
+  });
+  std::vector<std::vector<Traveler>> sorted;
+  const std::size_t blocks = blocks_of_spheres();
+  for (std::size_t block = processes().rank(); block < blocks; block += ranks) sorted.emplace_back();
+  while (!arrived.empty()) {
+    for (const Traveler& traveler : arrived.take_some())
+      sorted[traveler.state.id / kBlock / ranks].push_back(traveler);
+  }
+  for (std::vector<Traveler>& block : sorted)
+    std::ranges::sort(block, {}, [](const Traveler& traveler) { return traveler.state.id; });
+  return sorted;
+}
+
+std::size_t Simulation::blocks_of_spheres() const {
+  SphereId next = 0;
+  for_each_sphere([&](const World& world, Slot slot) { next = std::max(next, world.id(slot) + 1); });
+  return (std::ranges::max(processes().gather(next)) + kBlock - 1) / kBlock;
+}
+
+std::string Simulation::save_without_spheres() const {
+  if (activity_.kind() == Activity::Kind::running) check_idle("save_without_spheres");
+  Saved saved{SavedOptions{options()},
+              setting().without_spheres(),
+              engine(),
+              now_,
+              sums_,
+              counters(),
+              actors_,
+              *user_data_};
+  saved.setting.note_passage(manager_->engine().last_passage());
+  return archived(saved);
+}
+
+std::string Simulation::saved_block(const std::vector<Traveler>& block) {
+  std::vector<SavedTraveler> saved;
+  saved.reserve(block.size());
+  for (const Traveler& traveler : block) saved.push_back({traveler});
+  return archived(saved);
+}
+
+Simulation Simulation::load_blocks(std::string_view saved, const std::vector<std::string>& blocks,
+                                   const std::string& where, Processes& processes, std::size_t threads) {
+  Saved head;
+  restore(saved, where, head);
+  head.options.options.threads = threads;
+  World part = head.setting;
+  Aftermath aftermath;
+  for (const std::string& block : blocks) {
+    std::vector<SavedTraveler> spheres;
+    restore(block, where, spheres);
+    part.insert_all(spheres.size(), [&](std::size_t k) { return spheres[k].traveler.state; });
+    for (const auto& [traveler] : spheres)
+      aftermath.collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
+  }
+  Simulation loaded;
+  if (head.now) loaded.now_ = *head.now;
+  loaded.sums_ = std::move(head.sums);
+  loaded.actors_ = std::move(head.actors);
+  *loaded.user_data_ = std::move(head.user_data);
+  check_division(head.options.options, processes, part.box(), part.interactions());
+  loaded.begin_loaded(head.options.options, head.kind, head.counters, part, where, processes);
+  if (processes.size() > 1) {
+    loaded.start_parts(std::move(part), loaded.now_, aftermath.collapse);
+    return loaded;
+  }
+  loaded.manager_->prepare(part, loaded.now_);
+  loaded.manager_->start(std::move(part), loaded.now_);
+  loaded.manager_->engine().take_over(aftermath);
   return loaded;
 }
 

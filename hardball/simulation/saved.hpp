@@ -9,8 +9,8 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/execution/collapse_guard.hpp"
 #include "hardball/interaction/response_table.hpp"
-#include "hardball/simulation/contact_sums.hpp"
-#include "hardball/simulation/engine_options.hpp"
+#include "hardball/measure/contact_sums.hpp"
+#include "hardball/run/engine_options.hpp"
 #include "hardball/thermostats/thermostat.hpp"
 #include "hardball/world/world.hpp"
 
@@ -39,10 +39,5 @@ struct SavedOptions {
                     options.queue >= QueueKind::calendar && options.queue <= QueueKind::ordered);
   }
 };
-
-/// What Simulation::save would return of a simulation without user data.
-std::string saved_simulation(const SavedOptions& options, EngineKind engine, const World& world,
-                             const Time& now, const ContactSums& sums, const Counters& counters,
-                             const CollapseGuard& collapse, const std::optional<Thermostat>& thermostat);
 
 }  // namespace hardball

@@ -8,8 +8,9 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/measure/measures.hpp"
-#include "hardball/simulation/agenda.hpp"
-#include "hardball/simulation/tuner.hpp"
+#include "hardball/processes/bytes.hpp"
+#include "hardball/run/engine_manager.hpp"
+#include "hardball/run/run_schedule.hpp"
 #include "hardball/simulation/user_data.hpp"
 #include "hardball/world/audit.hpp"
 
@@ -38,19 +39,47 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
 }  // namespace
 
 Simulation::Simulation(World world, const EngineOptions& options, const OnProgress& on_progress)
-    : tuner_(ValuePointer<Tuner>::make(options)),
+    : Simulation(std::move(world), options, one_process(), on_progress) {}
+
+Simulation::Simulation(World world, const EngineOptions& options, Processes& processes,
+                       const OnProgress& on_progress)
+    : manager_(ValuePointer<EngineManager>::make(options, processes)),
       now_(latest_change(world)),
       user_data_(ValuePointer<UserData>::make()) {
-  check_threads(options, world.box(), world.interactions());
+  check_division(options, processes, world.box(), world.interactions());
   const Progress progress(on_progress);
   progress.note(0, 1);
   begin_paths(world, now_);
   world.assign_levels(now_);
-  tuner_->prepare(world, now_);
+  manager_->prepare(world, now_);
   require_no_overlap(world, now_, progress.part(kOrdered, kAudited));  // faster in order
-  tuner_->start(std::move(world), now_, progress.part(kAudited, 1));
+  manager_->start(std::move(world), now_, progress.part(kAudited, 1));
   sums_.tally.begin(this->world(), now_);
   progress.note_end();
+}
+
+Simulation Simulation::from_parts(World part, const EngineOptions& options, Processes& processes) {
+  if (processes.size() == 1) return Simulation(std::move(part), options);
+  check_division(options, processes, part.box(), part.interactions());
+  Simulation simulation;
+  simulation.manager_ = ValuePointer<EngineManager>::make(options, processes);
+  simulation.start_parts(std::move(part), std::nullopt, {});
+  require_sound(simulation.audit(), simulation.now_);
+  simulation.sums_.tally.begin(simulation.setting(), simulation.totals(), simulation.now_);
+  return simulation;
+}
+
+// Starts at a moment, or when the last sphere was added.
+void Simulation::start_parts(World part, const std::optional<Time>& moment, const CollapseGuard& counts) {
+  now_ = moment.value_or(latest_change(part));
+  if (!moment) {
+    for (const Time& other : manager_->processes().gather(now_)) now_ = later(now_, other);
+    begin_paths(part, now_);
+  }
+  Travelers brought;
+  for (Slot slot = 0; slot < part.size(); ++slot)
+    brought.push_back({part.state_of(slot), counts.idle_contacts(part.id(slot))});
+  manager_->start(part.without_spheres(), std::move(brought), now_);
 }
 
 Simulation::Simulation() : user_data_(ValuePointer<UserData>::make()) {}
@@ -71,25 +100,15 @@ void Simulation::on_contact(Function<void(const Contact&)> listener) {
   if (!activity_.is_listening()) take_next_listener();
 }
 
-void Simulation::log_contacts(Function<void(const Contact&)> log) {
-  check_editable("log_contacts");
-  log_ = std::move(log);
+void Simulation::observe(Observer observer) {
+  check_editable("observe");
+  observer_ = std::move(observer);
 }
 
 void Simulation::take_next_listener() {
   if (!next_listener_) return;
   listener_ = std::move(*next_listener_);
   next_listener_.reset();
-}
-
-void Simulation::on_velocity_change(Function<void(const VelocityChange&)> listener) {
-  check_editable("on_velocity_change");
-  change_listener_ = std::move(listener);
-}
-
-void Simulation::on_epoch(Function<void(const Growth&)> listener) {
-  check_editable("on_epoch");
-  epoch_listener_ = std::move(listener);
 }
 
 std::uint64_t Simulation::run_contacts(std::uint64_t count, double until) {
@@ -101,7 +120,7 @@ std::uint64_t Simulation::run_contacts(std::uint64_t count, double until) {
 RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
   check_idle("run");
   measures.check_spheres(world());
-  if ((growth_ || world().motion().has_growth()) && measures.is_any_wanted()) {
+  if ((growth() || setting().motion().has_growth()) && measures.is_any_wanted()) {
     throw Error("spheres grow, and measures need constant sizes", "measures",
                 "run without measures until growth has been stopped");
   }
@@ -114,7 +133,7 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
   check_not_past(limits.until);
   const Activity::During running(activity_, Activity::Kind::running);
   const ContactObserver listening{.note = [this, measures](const Contact& contact) {
-    note(contact, measures);
+    on_every_contact(contact, measures);
     return !is_rescheduled_;
   }};
   const ContactObserver logging{.note =
@@ -123,42 +142,43 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
                                       return true;
                                     },
                                 .looks_around = false};
-  Agenda agenda(limits, now_);
+  RunSchedule schedule(limits, now_);
   do {
     is_rescheduled_ = false;
-    tuner_->engine().end_journal();
-    tuner_->make_ready(now_);
+    manager_->engine().end_journal();
+    manager_->make_ready(now_);
     const Time sample = measures ? measures->next_sample() : kNever;
-    const bool listens = listener_ || next_listener_ || tuner_->engine().interactions().may_merge();
-    const bool logs = log_ || (measures && measures->has_begun());
-    Agenda::Item item = Agenda::Item::nothing;
+    const bool listens = listener_ || next_listener_ || setting().interactions().may_merge();
+    const bool logs = observer_.contact || (measures && measures->has_begun());
+    RunSchedule::Item item = RunSchedule::Item::nothing;
     try {
-      item = agenda.advance(*tuner_, next_action(), sample, contacts_of_epoch(), sums_,
-                            listens ? listening
-                            : logs  ? logging
-                                    : ContactObserver());
+      item = schedule.advance(*manager_, actors_.next().next(), sample,
+                              actors_.contacts_left(sums_.tally, size()), sums_,
+                              listens ? listening
+                              : logs  ? logging
+                                      : ContactObserver());
     } catch (...) {
       now_ = later(now_, sums_.tally.last_change());
       throw;
     }
-    now_ = later(later(now_, sums_.tally.last_change()), agenda.reached());
+    now_ = later(later(now_, sums_.tally.last_change()), schedule.reached());
     // Not `now_`, which after a limited number of steps may depend on the engine.
-    const Time moment = later(agenda.reached(), sums_.tally.last_change());
-    if (growth_ && growth_->contacts_left(sums_.tally, size()) == 0) growth_->end_by(moment);
-    if (item == Agenda::Item::action) agenda.spend(act(moment, measures));
-    if (item == Agenda::Item::sample) {
+    const Time moment = later(schedule.reached(), sums_.tally.last_change());
+    for (Actor* actor : actors_.all()) actor->note_contacts(sums_.tally, size(), moment);
+    if (item == RunSchedule::Item::action) schedule.spend(act(moment, measures));
+    if (item == RunSchedule::Item::sample) {
       measures->sample(world(), moment, [this](std::size_t count, const Function<void(std::size_t)>& work) {
-        tuner_->engine().for_each(count, work);
+        manager_->engine().for_each(count, work);
       });
-      agenda.spend(1);
+      schedule.spend(1);
     }
-    tuner_->review_if_due(now_);
-  } while (!agenda.is_over());
-  return agenda.status();
+    manager_->review_if_due(now_);
+  } while (!schedule.is_over());
+  return schedule.status();
 }
 
 // To be called with every contact when it has been carried out.
-void Simulation::note(const Contact& contact, Measures* measures) {
+void Simulation::on_every_contact(const Contact& contact, Measures* measures) {
   now_ = contact.time;
   if (contact.outcome == ContactOutcome::merge) [[unlikely]]
     note_merger(contact, measures);
@@ -170,12 +190,11 @@ void Simulation::note(const Contact& contact, Measures* measures) {
 // To be called with every contact, in order, perhaps when others have been carried out.
 void Simulation::log(const Contact& contact, Measures* measures) {
   if (measures) measures->note(contact);
-  if (log_) log_(contact);
+  if (observer_.contact) observer_.contact(contact);
 }
 
 void Simulation::note_merger(const Contact& contact, const Measures* measures) {
-  forget_at_thermostat(contact.second);
-  user_data_->remove(contact.second);
+  note_removed(contact.second);
   if (measures && measures->is_any_wanted()) {
     throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
                     " have merged, and measures need all spheres",
@@ -190,93 +209,68 @@ void Simulation::call_listener(const Contact& contact, Activity::Kind activity) 
   listener_(contact);
 }
 
-// When the thermostat acts next, or an epoch of growth begins; kNever without either.
-Time Simulation::next_action() const {
-  const Time epoch = growth_ ? Time(growth_->next()) : kNever;
-  return thermostat_ ? earlier(epoch, Time(thermostat_->next())) : epoch;
+// Lets an actor act, and returns how many velocities it has changed, at least one. Precondition: all contacts
+// that round to that time or an earlier one have been handled, and `now_` is no earlier.
+std::uint64_t Simulation::act(const Time& moment, Measures* measures) {
+  Actor& actor = actors_.next();
+  const Action action = actor.act(world(), sums_.tally, moment);
+  if (action.epoch) {
+    begin_epoch(action, actor, moment, measures);
+    return size();
+  }
+  carry_out(action.changes, moment);
+  sums_.tally.note_edit(action.energy, moment);
+  tell_of_changes(moment, action.changes, measures);
+  return std::max<std::uint64_t>(1, action.changes.size());
 }
 
-// Whether the next action is a new epoch: at the same time it comes before the thermostat.
-bool Simulation::grows_next() const {
-  return growth_ && (!thermostat_ || growth_->next() <= thermostat_->next());
-}
-
-// After how many contacts an epoch of growth is too long; at its end, which it has then, all may happen.
-std::uint64_t Simulation::contacts_of_epoch() const {
-  constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
-  const std::uint64_t left = growth_ ? growth_->contacts_left(sums_.tally, size()) : kAny;
-  return left > 0 ? left : kAny;
-}
-
-void Simulation::begin_epoch(const GrowthEpoch& epoch, const Time& moment, Measures* measures) {
+void Simulation::carry_out(std::span<const NewVelocity> changes, const Time& moment) {
   // An event in the same double may have carried the engine on.
-  tuner_->engine().rewind(moment);
-  World& world = tuner_->engine().world_to_edit();
-  std::vector<NewVelocity> changes;
-  if (epoch.speed_factor != 1) {
+  manager_->engine().rewind(moment);
+  manager_->engine().change_velocities(moment, changes);
+}
+
+void Simulation::begin_epoch(const Action& action, Actor& actor, const Time& moment, Measures* measures) {
+  // An event in the same double may have carried the engine on.
+  manager_->engine().rewind(moment);
+  World& world = manager_->engine().world_to_edit();
+  if (!action.changes.empty()) {
     const double energy_before = world.kinetic_energy(moment);
-    world.for_each_by_id([&](Slot slot) {
-      const Vec3 velocity = world.velocity(slot, moment);
-      changes.push_back({slot, velocity, epoch.speed_factor * velocity});
-    });
-    for (const NewVelocity& change : changes) world.rewrite_path(change.slot, moment, change.after);
+    for (const NewVelocity& change : action.changes) world.rewrite_path(change.slot, moment, change.after);
     const double given = world.kinetic_energy(moment) - energy_before;
     sums_.tally.note_edit(given, moment);
-    growth_->note_energy(given);
+    actor.note_energy(given);
   }
-  world.set_growth(epoch.growth);
-  tell_of_changes(moment, changes, measures);
-  tell_of_epoch(epoch.growth);
-  tuner_->rebuild(moment);
+  world.set_growth(*action.epoch);
+  tell_of_changes(moment, action.changes, measures);
+  tell_of_epoch(*action.epoch);
+  manager_->rebuild(moment);
 }
 
 void Simulation::tell_of_epoch(const Growth& epoch) {
-  if (!epoch_listener_) return;
+  if (!observer_.epoch) return;
   const Activity::During running(activity_, Activity::Kind::running);
-  epoch_listener_(epoch);
+  observer_.epoch(epoch);
 }
 
-// Lets the thermostat act, and returns how many velocities it has changed, at least one. Precondition: all
-// contacts that round to that time or an earlier one have been handled, and `now_` is no earlier.
-std::uint64_t Simulation::act(const Time& moment, Measures* measures) {
-  if (grows_next()) {
-    begin_epoch(growth_->act(world(), sums_.tally, moment), moment, measures);
-    return world().size();
-  }
-  const double energy_before = thermostat_->energy();
-  const std::span<const NewVelocity> changes = let_thermostat_act(moment);
-  sums_.tally.note_edit(thermostat_->energy() - energy_before, moment);
-  tell_of_changes(moment, changes, measures);
-  return std::max<std::uint64_t>(1, changes.size());
-}
-
-std::span<const NewVelocity> Simulation::let_thermostat_act(const Time& moment) {
-  const std::span<const NewVelocity> changes = thermostat_->act(world(), moment);
-  // An event in the same double may have carried the engine on.
-  tuner_->engine().rewind(moment);
-  tuner_->engine().change_velocities(moment, changes);
-  return changes;
-}
-
-// The thermostat may act later than it would have: a run up to its next action ends.
-void Simulation::forget_at_thermostat(SphereId id) {
-  if (!thermostat_) return;
-  thermostat_->note_removed(id);
-  is_rescheduled_ = true;
+// An actor may act later than it would have: a run up to its next action ends.
+void Simulation::note_removed(SphereId id) {
+  is_rescheduled_ |= actors_.note_removed(id);
+  user_data_->remove(id);
 }
 
 void Simulation::tell_of_changes(const Time& moment, std::span<const NewVelocity> changes,
                                  Measures* measures) {
-  if (!measures && !change_listener_) return;
+  if (!measures && !observer_.change) return;
   for (const NewVelocity& change : changes) {
     const Slot slot = change.slot;
     const VelocityChange done{
         moment,        world().id(slot), world().mass(slot), world().path(slot).position,
         change.before, change.after};
     if (measures) measures->note(done);
-    if (!change_listener_) continue;
+    if (!observer_.change) continue;
     const Activity::During running(activity_, Activity::Kind::running);
-    change_listener_(done);
+    observer_.change(done);
   }
 }
 
@@ -298,7 +292,7 @@ void Simulation::check_editable(const char* what) const {
 
 // How large spheres are to become is known from their volume.
 void Simulation::check_not_growing(const char* what) const {
-  if (!growth_ || growth_->is_over()) return;
+  if (!growth() || growth()->is_over()) return;
   throw Error("spheres grow, and their number must stay", what, "wait until growth is over, or stop it");
 }
 
@@ -324,9 +318,10 @@ std::vector<Vec3> Simulation::positions() const {
 
 std::vector<Vec3> Simulation::positions_at(double time) {
   check_moment(Time(time), "positions_at");
-  if (next_action().value() < time) {
-    throw Error((grows_next() ? "an epoch of growth begins at " : "the thermostat acts at ") +
-                    to_text(next_action().value()) + ", before the requested time, " + to_text(time),
+  const Actor& actor = actors_.next();
+  if (actor.next().value() < time) {
+    throw Error(std::string(actor.deed()) + " at " + to_text(actor.next().value()) +
+                    ", before the requested time, " + to_text(time),
                 "positions_at", "run_until that time first");
   }
   const std::optional<NextContact> next = next_contact(time);
@@ -354,43 +349,106 @@ void Simulation::set_user_data(SphereId id, std::uint64_t data) {
 }
 
 const World& Simulation::world() const {
-  return tuner_->engine().world();
+  return manager_->engine().world();
+}
+
+const World& Simulation::setting() const {
+  return manager_->engine().setting();
 }
 
 std::size_t Simulation::size() const {
-  return tuner_->engine().size();
+  return manager_->engine().size();
+}
+
+Totals Simulation::totals() const {
+  return manager_->engine().totals(now_);
+}
+
+Audit Simulation::audit() const {
+  return manager_->engine().audit(now_);
+}
+
+void Simulation::for_each_sphere(const Function<void(const World&, Slot)>& visit) const {
+  manager_->engine().for_each_sphere(visit);
+}
+
+std::vector<std::size_t> Simulation::species_counts() const {
+  std::vector<std::size_t> own;
+  for_each_sphere([&](const World& world, Slot slot) {
+    const std::size_t species = world.species(slot);
+    if (species >= own.size()) own.resize(species + 1);
+    ++own[species];
+  });
+  std::vector<std::size_t> all;
+  for (const std::string& part : processes().gather(bytes_of(own))) {
+    std::vector<std::size_t> counts;
+    append_bytes(part, counts);
+    all.resize(std::max(all.size(), counts.size()));
+    for (std::size_t k = 0; k < counts.size(); ++k) all[k] += counts[k];
+  }
+  return all;
+}
+
+bool Simulation::has_spins() const {
+  const bool has_spins = manager_->engine().has_spins();
+  return std::ranges::max(processes().gather(has_spins ? 1 : 0)) == 1;
+}
+
+Extent Simulation::extent() const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Extent nothing{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  const auto widen = [](Extent& extent, const Extent& other) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      extent.low[axis] = std::min(extent.low[axis], other.low[axis]);
+      extent.high[axis] = std::max(extent.high[axis], other.high[axis]);
+    }
+  };
+  Extent own = nothing;
+  for_each_sphere([&](const World& world, Slot slot) {
+    const Vec3 position = world.position(slot, now_);
+    const double of_sphere = world.radius(slot, now_);
+    const Vec3 radius{of_sphere, of_sphere, of_sphere};
+    widen(own, {position - radius, position + radius});
+  });
+  Extent all = nothing;
+  for (const Extent& other : processes().gather(own)) widen(all, other);
+  return size() > 0 ? all : Extent{{0, 0, 0}, {1, 1, 1}};
+}
+
+Processes& Simulation::processes() const {
+  return manager_->processes();
 }
 
 Counters Simulation::counters() const {
-  return tuner_->counters();
+  return manager_->counters();
 }
 
 void Simulation::set_threads(std::size_t threads) {
   check_idle("set_threads");
   EngineOptions changed = options();
   changed.threads = threads;
-  check_threads(changed, world().box(), tuner_->engine().interactions());
-  tuner_->set_threads(threads, now_);
+  check_division(changed, processes(), setting().box(), setting().interactions());
+  manager_->set_threads(threads, now_);
 }
 
 const EngineOptions& Simulation::options() const {
-  return tuner_->options();
+  return manager_->options();
 }
 
 std::vector<Block> Simulation::blocks() const {
-  return tuner_->engine().blocks();
+  return manager_->engine().blocks();
 }
 
 WindowCounters Simulation::windows() const {
-  return tuner_->windows();
+  return manager_->windows();
 }
 
 EngineKind Simulation::engine() const {
-  return tuner_->kind();
+  return manager_->kind();
 }
 
 Vec3 Simulation::cell_edges() const {
-  return tuner_->engine().lengths().cell_edges;
+  return manager_->engine().lengths().cell_edges;
 }
 
 double Simulation::cell_edge() const {
@@ -399,15 +457,15 @@ double Simulation::cell_edge() const {
 }
 
 double Simulation::skin() const {
-  return tuner_->engine().lengths().skin;
+  return manager_->engine().lengths().skin;
 }
 
 std::size_t Simulation::memory_bytes() const {
-  return tuner_->engine().memory_bytes();
+  return manager_->engine().memory_bytes();
 }
 
 void Simulation::validate() const {
-  tuner_->engine().validate();
+  manager_->engine().validate();
 }
 
 }  // namespace hardball

@@ -10,37 +10,50 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/domains/traveler.hpp"
 #include "hardball/engine/run.hpp"
+#include "hardball/engine/window_counters.hpp"
 #include "hardball/errors/export.hpp"
+#include "hardball/execution/collapse_guard.hpp"
+#include "hardball/geometry/extent.hpp"
 #include "hardball/growth/growth_schedule.hpp"
 #include "hardball/interaction/contact.hpp"
+#include "hardball/measure/contact_sums.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/memory/value_pointer.hpp"
-#include "hardball/parallel/block.hpp"
-#include "hardball/parallel/window_counters.hpp"
+#include "hardball/processes/processes.hpp"
 #include "hardball/queries/queries.hpp"
-#include "hardball/simulation/activity.hpp"
-#include "hardball/simulation/contact_sums.hpp"
-#include "hardball/simulation/engine_options.hpp"
+#include "hardball/run/activity.hpp"
+#include "hardball/run/actors.hpp"
+#include "hardball/run/engine_options.hpp"
+#include "hardball/run/observer.hpp"
 #include "hardball/simulation/sphere_handle.hpp"
 #include "hardball/thermostats/thermostat.hpp"
+#include "hardball/world/audit.hpp"
+#include "hardball/world/block.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
+#include "hardball/world/totals.hpp"
 #include "hardball/world/velocity_change.hpp"
 #include "hardball/world/velocity_edit.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
 
+class EngineManager;
 class Measures;
-class Tuner;
 class UserData;
 
 /// Spheres in motion: the interface to Hardball.
 ///
 /// Every collision happens at its exact time and in order. The history does not depend on the options, on how
-/// a run is split, or on queries in between. Copies are independent, and share only what their listeners and
-/// responses refer to.
+/// a run is split, or on queries in between. Copies are independent, and share only what their observers,
+/// listeners and responses refer to.
+///
+/// Several processes may share a simulation, each with the spheres in a part of the box. Then all of them
+/// call the same members in the same order, with the same arguments, and get the same results; observers and
+/// listeners are called in all of them. A process holds all spheres, too, from when somebody first asks for
+/// the world, as measures, thermostats, growth and edits do.
 class HARDBALL_EXPORT Simulation {
  public:
   /// Starts at the latest time at which a sphere was added to the world, or zero. Spheres added earlier have
@@ -48,6 +61,15 @@ class HARDBALL_EXPORT Simulation {
   /// the progress of the set-up to `on_progress`. Error: spheres that overlap or reach through a wall at the
   /// start; invalid options (see EngineOptions).
   explicit Simulation(World world, const EngineOptions& options = {}, const OnProgress& on_progress = {});
+  /// Starts the same world, which all of several processes have whole. They outlive the simulation; threads
+  /// are those of each process. Error: likewise, in all processes; something that they cannot share: merging
+  /// spheres, potentials of steps, a sheared box, a response that is a function; an engine other than cells
+  /// and neighbors; a box that is too small for so many processes.
+  Simulation(World world, const EngineOptions& options, Processes& processes,
+             const OnProgress& on_progress = {});
+  /// Starts a world of which each process brings some of the spheres, with their ids; all are brought once.
+  /// No process holds them all until somebody asks for the world. Error: as for the constructor.
+  static Simulation from_parts(World part, const EngineOptions& options, Processes& processes);
   Simulation(const Simulation&);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(const Simulation&);
@@ -65,12 +87,12 @@ class HARDBALL_EXPORT Simulation {
   /// positions, or edits it during a run with measures.
   void on_contact(Function<void(const Contact&)> listener);
 
-  /// Sets a log, called with every contact, in their order, before a listener is, but perhaps when later ones
-  /// have happened already: with several threads it costs much less than a listener. If it throws, the run
-  /// ends, perhaps after further contacts, of which the log is not told. It must not query the simulation,
-  /// except for world() when two spheres have merged. Error, from the call in question: it runs or edits the
-  /// simulation.
-  void log_contacts(Function<void(const Contact&)> log);
+  /// Sets who observes the run, instead of whoever did. Contacts are told before a listener is called, but
+  /// perhaps when later ones have happened already: with several threads that costs much less than a
+  /// listener. If an observer throws, the run ends, perhaps after further contacts, of which it is not told.
+  /// Told of a contact, it must not query the simulation, except for world() when two spheres have merged;
+  /// told of anything else, it may. Error, from the call in question: it runs or edits the simulation.
+  void observe(Observer observer);
 
   /// Replaces the response, which returns the velocities after a contact; see Response. Error, from running:
   /// the bodies still approach with the velocities returned; a velocity is not finite or exceeds 1e60; the
@@ -92,7 +114,7 @@ class HARDBALL_EXPORT Simulation {
   /// state at that time has the velocities after the action. With a thermostat a run never ends by itself:
   /// give a finite time or a number of contacts that will happen. Cost: O(n). Error: as for change_velocity.
   void set_thermostat(std::optional<Thermostat> thermostat);
-  const std::optional<Thermostat>& thermostat() const { return thermostat_; }
+  const std::optional<Thermostat>& thermostat() const { return actors_.thermostat.thermostat; }
 
   /// Lets all spheres grow from now on, or shrink, until they fill as much as the rules say; replaces a
   /// growth that is not over. The epochs of the growth begin at times of their own, each after all contacts
@@ -104,16 +126,7 @@ class HARDBALL_EXPORT Simulation {
   /// need this, also after growth has reached its end. Cost: O(n).
   void stop_growing();
   /// The growth that has begun last, and may be over; none after stop_growing.
-  const std::optional<GrowthSchedule>& growth() const { return growth_; }
-
-  /// Sets a listener, called after every change of a velocity without a contact: by the thermostat, or by
-  /// change_velocity. It may query the simulation. Error, from the call in question: it runs or edits it.
-  void on_velocity_change(Function<void(const VelocityChange&)> listener);
-
-  /// Sets a listener, called whenever an epoch of growth has begun, after the changes of velocities that
-  /// belong to it, and with the last sizes when growth has been stopped. It may query the simulation. Error,
-  /// from the call in question: it runs or edits it.
-  void on_epoch(Function<void(const Growth&)> listener);
+  const std::optional<GrowthSchedule>& growth() const { return actors_.growth.schedule; }
 
   /// Runs to `time` [T], events at that time included. Error: `time` is in the past, NaN, or finite and
   /// beyond 1e120.
@@ -204,10 +217,48 @@ class HARDBALL_EXPORT Simulation {
   /// A simulation from the bytes of `save`, by this version of the library or an earlier one; `where` names
   /// the bytes in errors. Error: they are damaged, or not from `save`, or of a later version. Cost: that of a
   /// new simulation, without its audit.
-  static Simulation load(std::string_view bytes, const std::string& where = "the saved simulation");
+  static Simulation load(std::string_view bytes, const std::string& where = "the saved simulation",
+                         Processes& processes = one_process());
 
+  /// Spheres whose ids are from k * kBlock on, before (k + 1) * kBlock, are the k-th block, which belongs to
+  /// process k % Processes::size().
+  static constexpr std::size_t kBlock = std::size_t{1} << 16;
+  /// How many blocks there are.
+  std::size_t blocks_of_spheres() const;
+  /// The spheres of the blocks of this process, each block in the order of ids. Cost: O(n / processes), and
+  /// all spheres are sent.
+  std::vector<std::vector<Traveler>> own_blocks() const;
+  /// What is needed to continue, besides the spheres: the same bytes for any number of processes.
+  std::string save_without_spheres() const;
+  /// A block of spheres as bytes.
+  static std::string saved_block(const std::vector<Traveler>& block);
+  /// Continues from what save_without_spheres has returned, and from blocks of which each process brings
+  /// some, whatever it was that saved them; `where` names the bytes in errors. Error: they are damaged; as
+  /// for from_parts.
+  static Simulation load_blocks(std::string_view saved, const std::vector<std::string>& blocks,
+                                const std::string& where, Processes& processes, std::size_t threads = 1);
+
+  /// All spheres. In several threads or processes they are gathered when this is called. Cost, then:
+  /// O(contacts since the last call), at first O(n).
   const World& world() const;
+  /// The world, in which spheres need not be as they are, nor be there: box, walls, interactions and motion.
+  const World& setting() const;
   std::size_t size() const;
+  /// Sums over the spheres as they are. Cost: O(n).
+  Totals totals() const;
+  /// A check of all spheres; see audit. Cost: O(n log n).
+  Audit audit() const;
+  /// How many spheres each species has, up to the highest one. Cost: O(n).
+  std::vector<std::size_t> species_counts() const;
+  /// Whether some spheres have spun; see World::has_spins.
+  bool has_spins() const;
+  /// The box that holds all spheres; from 0 to 1 if there are none [L]. Cost: O(n).
+  Extent extent() const;
+  /// Calls visit(world, slot) for each sphere that this process has; see EngineBase.
+  void for_each_sphere(const Function<void(const World&, Slot)>& visit) const;
+
+  /// Those that share the simulation.
+  Processes& processes() const;
 
   const EngineOptions& options() const;
   /// Lets so many threads work on the simulation from now on; see EngineOptions::threads. One that is loaded
@@ -241,45 +292,44 @@ class HARDBALL_EXPORT Simulation {
   void validate() const;
 
  private:
+  struct Saved;
+
   Simulation();
   static Time latest_change(const World& world);
+  void begin_loaded(const EngineOptions& options, EngineKind kind, Counters counters, const World& world,
+                    const std::string& where, Processes& processes);
+  void start_parts(World part, const std::optional<Time>& moment, const CollapseGuard& counts);
   RunStatus run_with(const RunLimits& limits, Measures* measures);
-  void note(const Contact& contact, Measures* measures);
+  void on_every_contact(const Contact& contact, Measures* measures);
   void log(const Contact& contact, Measures* measures);
   void note_merger(const Contact& contact, const Measures* measures);
   void take_next_listener();
   void call_listener(const Contact& contact, Activity::Kind activity);
-  Time next_action() const;
-  bool grows_next() const;
-  std::uint64_t contacts_of_epoch() const;
-  void tell_of_epoch(const Growth& epoch);
-  void begin_epoch(const GrowthEpoch& epoch, const Time& moment, Measures* measures);
   std::uint64_t act(const Time& moment, Measures* measures);
-  std::span<const NewVelocity> let_thermostat_act(const Time& moment);
-  void forget_at_thermostat(SphereId id);
+  void carry_out(std::span<const NewVelocity> changes, const Time& moment);
+  void begin_epoch(const Action& action, Actor& actor, const Time& moment, Measures* measures);
+  void note_removed(SphereId id);
   void look_ahead(const Time& until, std::uint64_t most, const Function<void(const Contact&)>& observe);
   void look_ahead_in_copy(const Time& until, std::uint64_t most,
                           const Function<void(const Contact&)>& observe) const;
   void edit_velocities(std::span<const VelocityEdit> edits, Measures* measures);
   void tell_of_changes(const Time& moment, std::span<const NewVelocity> changes, Measures* measures);
+  void tell_of_epoch(const Growth& epoch);
   void check_idle(const char* what) const;
   void check_editable(const char* what) const;
   void check_not_growing(const char* what) const;
   void check_not_past(const Time& time) const;
 
-  ValuePointer<Tuner> tuner_;  // with the engine
+  ValuePointer<EngineManager> manager_;  // with the engine
   Time now_;
   ContactSums sums_;
   ValuePointer<UserData> user_data_;
-  std::optional<Thermostat> thermostat_;
-  std::optional<GrowthSchedule> growth_;
-  Function<void(const Contact&)> log_;
+  Actors actors_;
+  Observer observer_;
   Function<void(const Contact&)> listener_;
   std::optional<Function<void(const Contact&)>> next_listener_;  // set by the listener itself
-  Function<void(const VelocityChange&)> change_listener_;
-  Function<void(const Growth&)> epoch_listener_;
   Activity activity_;
-  bool is_rescheduled_ = false;  // when the thermostat acts next has changed during a stretch of a run
+  bool is_rescheduled_ = false;  // when an actor acts next has changed during a stretch of a run
 };
 
 }  // namespace hardball

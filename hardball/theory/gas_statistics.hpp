@@ -52,6 +52,10 @@ struct HARDBALL_EXPORT GasSums {
   /// Adds a sphere as it is at `moment`.
   void note(const World& world, Slot slot, const Time& moment);
   void add(const GasSums& other);
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.spheres, self.radius_power, self.speed, self.largest_radius);
+  }
 };
 
 /// Cost: O(n).

@@ -54,4 +54,11 @@ std::vector<Slot> order_along_curve(const World& world, const Time& moment) {
   return order;
 }
 
+void put_in_order(World& world, const Time& moment) {
+  // Fewer spheres fit in the caches in any order.
+  constexpr std::size_t kSpheresToOrder = 10000;
+  if (!world.has_journal() && world.size() >= kSpheresToOrder)
+    world.reorder(order_along_curve(world, moment));
+}
+
 }  // namespace hardball

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/errors/compilation.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/contact_time.hpp"
@@ -39,7 +40,7 @@ struct Bond {
 
 /// The box, the surfaces and the spheres in it: their stored paths, radii and masses. The state of the motion
 /// and nothing else.
-class HARDBALL_EXPORT World {
+class HARDBALL_EXPORT World : CompilationCheck {
  public:
   explicit World(const Box& box = Box::open()) : box_(box) {}
   /// With an acceleration that acts on all spheres [L/T^2], and walls and obstacles, which are numbered from

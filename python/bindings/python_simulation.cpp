@@ -114,11 +114,11 @@ void PythonSimulation::set_until(std::optional<double> until) {
 }
 
 void PythonSimulation::listen() {
-  simulation_.log_contacts(nullptr);
+  simulation_.observe({});
   if (records_) {
-    simulation_.log_contacts([this](const Contact& contact) {
+    simulation_.observe({.contact = [this](const Contact& contact) {
       if (records_) records_->note(contact);
-    });
+    }});
   }
   if (!listener_ && !is_stepping_) return simulation_.on_contact(nullptr);
   simulation_.on_contact([this](const Contact& contact) {
@@ -276,7 +276,9 @@ std::vector<Contact> PythonSimulation::contacts_within(double duration, std::uin
   std::vector<Contact> found = simulation_.contacts_within(duration, 0);
   run_ahead(
       simulation_.time() + duration, most,
-      [&](Simulation& copy) { copy.log_contacts([&](const Contact& contact) { found.push_back(contact); }); },
+      [&](Simulation& copy) {
+        copy.observe({.contact = [&](const Contact& contact) { found.push_back(contact); }});
+      },
       [](const Simulation&) {});
   return found;
 }
@@ -288,9 +290,7 @@ void PythonSimulation::record_ahead(const std::filesystem::path& path, double en
     RecordingHeader header = recording_header(copy);
     if (std::isfinite(end)) header.until = end;
     writer.emplace(path, header, copy.world());
-    copy.log_contacts([&](const Contact& contact) { writer->note(contact, copy); });
-    copy.on_velocity_change([&](const VelocityChange& change) { writer->note(change, copy.world()); });
-    copy.on_epoch([&](const Growth& epoch) { writer->note(epoch); });
+    copy.observe(recording_observer(*writer, copy));
   };
   double reached = 0;
   run_ahead(end, contacts, watch, [&](const Simulation& copy) {

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// A program without MPI that mpirun starts several times.
+// A program that mpirun starts several times, and whose copies do not find each other.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "cli/program.hpp"
@@ -12,8 +13,8 @@
 namespace hardball::copies_test {
 namespace {
 
+namespace fs = std::filesystem;
 using support::Outcome;
-using support::run_program;
 
 // An environment variable while the object lives.
 class Variable {
@@ -27,33 +28,107 @@ class Variable {
   std::string name_;
 };
 
-TEST(Copies, AreRefusedUnderMpirun) {
-  const support::ScratchFolder folder;
-  support::write_text(folder / "gas.toml", support::kSmallGas);
-  for (const std::string name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-    const Variable size(name, "4");
+// The program alone in a folder, without the plug-in that was built with it, and a scenario in another.
+class Copies : public testing::Test {
+ protected:
+  Copies() {
+    fs::copy_file(HARDBALL_PROGRAM, program_);
+    support::write_text(folder_ / "gas.toml", support::kSmallGas);
+  }
+
+  void add_plugin(const fs::path& file) const { fs::copy_file(file, plugin_); }
+
+  Outcome run(const support::Arguments& arguments) const {
+    return support::Program(folder_, arguments, program_.string()).wait();
+  }
+
+  void expect_refusal(const std::string& message) const {
     for (const support::Arguments& arguments :
          {support::Arguments{"run", "gas.toml", "--out", "out"}, {"resume", "out"}}) {
-      const Outcome outcome = run_program(folder, arguments);
+      const Outcome outcome = run(arguments);
       EXPECT_EQ(outcome.exit_code, 2);
-      EXPECT_EQ(
-          outcome.messages,
-          "hardball: " + name +
-              ": mpirun has started 4 copies of a program that is built without MPI, each of which would run "
-              "all of the system; use the program that ./dev mpi builds, build/mpi/hardball, or unset " +
-              name + "\n");
+      EXPECT_EQ(outcome.messages, "hardball: " + message + "\n");
     }
-    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
-    EXPECT_EQ(run_program(folder, {"check", "gas.toml"}).exit_code, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+    EXPECT_EQ(run({"check", "gas.toml"}).exit_code, 0);
   }
+
+  support::ScratchFolder own_;
+  fs::path program_ = own_ / "hardball";
+  fs::path plugin_ = own_ / "hardball_mpi.so";
+  support::ScratchFolder folder_;
+};
+
+TEST_F(Copies, AreRefusedWithoutAPlugin) {
+  for (const std::string name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    const Variable size(name, "4");
+    expect_refusal(name +
+                   ": mpirun has started 4 copies of the program, each of which would run all of the system, "
+                   "as there is no plug-in for MPI, hardball_mpi.so; run ./dev mpi, which installs Open MPI "
+                   "(libopenmpi-dev and openmpi-bin in Debian) and builds the plug-in, or unset " +
+                   name);
+  }
+  const Variable rank("PMIX_RANK", "0");
+  expect_refusal(
+      "PMIX_RANK: mpirun may have started several copies of the program, each of which would run all of the "
+      "system, as there is no plug-in for MPI, hardball_mpi.so; run ./dev mpi, which installs Open MPI "
+      "(libopenmpi-dev and openmpi-bin in Debian) and builds the plug-in, or unset PMIX_RANK");
 }
 
-TEST(Copies, OfWhichThereIsOneRun) {
-  const support::ScratchFolder folder;
-  support::write_text(folder / "gas.toml", support::kSmallGas);
-  const Variable size("OMPI_COMM_WORLD_SIZE", "1");
+TEST_F(Copies, AreRefusedWithAPluginThatCannotBeLoaded) {
+  support::write_text(plugin_, "no library");
+  const Variable size("OMPI_COMM_WORLD_SIZE", "2");
+  const Variable rank("PMIX_RANK", "1");
+  expect_refusal(
+      "OMPI_COMM_WORLD_SIZE: mpirun has started 2 copies of the program, each of which would run all of the "
+      "system, as the plug-in for MPI cannot be loaded (" +
+      fs::canonical(plugin_).string() +
+      ": file too short); install Open MPI (openmpi-bin in Debian), or build the plug-in with ./dev mpi, or "
+      "unset OMPI_COMM_WORLD_SIZE and PMIX_RANK");
+}
+
+TEST_F(Copies, AreRefusedWithAPluginOfAnotherVersion) {
+  add_plugin(HARDBALL_LATER_PLUGIN);
+  const Variable size("OMPI_COMM_WORLD_SIZE", "2");
+  expect_refusal(
+      "OMPI_COMM_WORLD_SIZE: mpirun has started 2 copies of the program, each of which would run all of the "
+      "system, as " +
+      fs::canonical(plugin_).string() +
+      " has version 2, and the program needs version 1; build both from the same source, as ./dev mpi does, "
+      "or unset OMPI_COMM_WORLD_SIZE");
+}
+
+TEST_F(Copies, AreRefusedWithAPluginForAnotherMpi) {
+  add_plugin(HARDBALL_LONELY_PLUGIN);
+  const Variable size("PMI_SIZE", "2");
+  expect_refusal(
+      "PMI_SIZE: mpirun has started 2 copies of the program, each of which would run all of the system, as "
+      "the plug-in for MPI is built for Fake MPI 1.0, which finds one process; use the mpirun of Fake MPI "
+      "1.0, or build the plug-in for the MPI of this mpirun, or unset PMI_SIZE");
+}
+
+TEST_F(Copies, OfWhichThereIsOneRun) {
   const Variable tasks("SLURM_NTASKS", "4");
-  EXPECT_EQ(run_program(folder, {"run", "gas.toml", "--quiet"}).exit_code, 0);
+  {
+    const Variable size("OMPI_COMM_WORLD_SIZE", "1");
+    EXPECT_EQ(run({"run", "gas.toml", "--quiet"}).exit_code, 0);
+  }
+  add_plugin(HARDBALL_LONELY_PLUGIN);
+  const Variable rank("PMIX_RANK", "0");
+  EXPECT_EQ(run({"run", "gas.toml", "--quiet"}).exit_code, 0);
+}
+
+TEST_F(Copies, LoadNothingWhereThereAreNone) {
+  support::write_text(plugin_, "no library");
+  EXPECT_EQ(run({"run", "gas.toml", "--quiet"}).exit_code, 0);
+}
+
+TEST(Program, LinksNoMpi) {
+  const support::ScratchFolder folder;
+  const Outcome libraries = support::Program(folder, {HARDBALL_PROGRAM}, "/usr/bin/ldd").wait();
+  EXPECT_EQ(libraries.exit_code, 0);
+  EXPECT_NE(libraries.output.find("libstdc++"), std::string::npos);
+  EXPECT_EQ(libraries.output.find("libmpi"), std::string::npos) << libraries.output;
 }
 
 }  // namespace

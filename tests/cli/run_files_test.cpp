@@ -63,7 +63,7 @@ FilesState saved(RunFiles& files) {
 // Writes `frames` frames; the state after the first `kept`.
 FilesState written(const std::filesystem::path& directory, const Scenario& scenario, int kept, int frames) {
   const Simulation simulation(two_spheres());
-  RunFiles files(directory, scenario, &simulation, false);
+  RunFiles files(directory, scenario, simulation, false);
   FilesState state;
   for (int frame = 0; frame < frames; ++frame) {
     if (frame == kept) state = saved(files);

@@ -3,7 +3,7 @@
 
 // Worlds that several processes run together, played by threads: the history, the sums and the spheres of one
 // engine that compares all pairs, to the last bit.
-#include "hardball/distributed/distributed_simulation.hpp"
+#include "hardball/simulation/simulation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,8 +46,8 @@ RandomWorld any_world(std::uint64_t seed) {
   return kMakers[seed % kMakers.size()](seed);
 }
 
-// The spheres of all blocks, as the first process has them.
-std::vector<Traveler> gathered(const DistributedSimulation& simulation) {
+// The spheres of all blocks.
+std::vector<Traveler> gathered(const Simulation& simulation) {
   std::string own;
   for (const std::vector<Traveler>& block : simulation.own_blocks()) own += bytes_of(block);
   std::vector<Traveler> all;
@@ -56,7 +56,7 @@ std::vector<Traveler> gathered(const DistributedSimulation& simulation) {
   return all;
 }
 
-void expect_same_state(const DistributedSimulation& simulation, const Simulation& expected) {
+void expect_same_state(const Simulation& simulation, const Simulation& expected) {
   ASSERT_EQ(simulation.sums().hash.value(), expected.event_log_hash());
   ASSERT_EQ(simulation.now(), expected.now());
   ASSERT_EQ(simulation.counters().collision, expected.counters().collision);
@@ -72,6 +72,19 @@ void expect_same_state(const DistributedSimulation& simulation, const Simulation
   ASSERT_EQ(spheres.size(), expected.size());
   for (const Traveler& traveler : spheres)
     ASSERT_EQ(traveler.state, expected.world().state_of(expected.world().slot_of(traveler.state.id)));
+}
+
+// Whether processes bring a part of the world each, or all of it.
+enum class Brought { parts, whole };
+
+Simulation start(Processes& processes, const World& world, const EngineOptions& options = {},
+                 Brought brought = Brought::parts) {
+  if (brought == Brought::whole) return Simulation(world, options, processes);
+  World part = world.without_spheres();
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (world.id(slot) % processes.size() == processes.rank()) part.insert(world.state_of(slot));
+  }
+  return Simulation::from_parts(part, options, processes);
 }
 
 class Distributed : public testing::TestWithParam<std::uint64_t> {};
@@ -97,15 +110,26 @@ TEST_P(Distributed, HasTheHistoryOfAllPairs) {
     }
     for (const Setting& setting : settings()) {
       SCOPED_TRACE(testing::Message() << setting.processes << " processes");
+      // By a log, by a listener, or not at all.
       const bool is_observed = seed % 2 == 0;
+      const bool is_listened_to = seed % 4 == 2;
+      const Brought brought = seed % 3 == 0 ? Brought::whole : Brought::parts;
       std::vector<Contact> log;
       support::in_processes(setting.processes, [&](Processes& processes) {
-        DistributedSimulation simulation =
-            DistributedSimulation::of(processes, made.world, {.division = setting.division});
+        Simulation simulation = start(processes, made.world, {.division = setting.division}, brought);
+        const auto note = [&](const Contact& contact) {
+          if (processes.is_first()) log.push_back(contact);
+        };
+        if (is_listened_to) {
+          simulation.on_contact([&](const Contact& contact) {
+            EXPECT_EQ(simulation.velocity(contact.first), contact.after.first);
+            note(contact);
+          });
+        } else if (is_observed) {
+          simulation.observe({.contact = note});
+        }
         try {
-          ASSERT_EQ(
-              simulation.run(limits, is_observed, [&](const Contact& contact) { log.push_back(contact); }),
-              status);
+          ASSERT_EQ(simulation.run(limits), status);
         } catch (const RunFailure& failed) {
           ASSERT_EQ(failed.what(), failure);
           return;
@@ -135,20 +159,20 @@ TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
   Simulation expected(world);
   std::string saved;
   std::vector<std::string> blocks;
-  const auto save = [&](const DistributedSimulation& simulation) {
-    const std::string state = simulation.save();
+  const auto save = [&](const Simulation& simulation) {
+    const std::string state = simulation.save_without_spheres();
     std::vector<std::vector<Traveler>> own = simulation.own_blocks();
-    if (!own.empty()) blocks.assign(1, DistributedSimulation::saved_block(own.front()));
+    if (!own.empty()) blocks.assign(1, Simulation::saved_block(own.front()));
     if (simulation.processes().is_first()) saved = state;
   };
   expected.run_until(0.1);
   support::in_processes(3, [&](Processes& processes) {
-    DistributedSimulation simulation = DistributedSimulation::of(processes, world, {});
+    Simulation simulation = start(processes, world);
     simulation.run({.until = Time(0.1)});
     expect_same_state(simulation, expected);
     save(simulation);
   });
-  Simulation whole = DistributedSimulation::load_whole(saved, blocks, "the saved state");
+  Simulation whole = Simulation::load_blocks(saved, blocks, "the saved state", one_process());
   double until = 0.1;
   for (const std::size_t count : {1U, 4U, 2U}) {
     until += 0.1;
@@ -156,8 +180,8 @@ TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
     const std::string before = saved;
     const std::vector<std::string> blocks_before = blocks;
     support::in_processes(count, [&](Processes& processes) {
-      DistributedSimulation simulation = DistributedSimulation::load(
-          processes, before, processes.is_first() ? blocks_before : std::vector<std::string>(), 1, "state");
+      Simulation simulation = Simulation::load_blocks(
+          before, processes.is_first() ? blocks_before : std::vector<std::string>(), "state", processes);
       simulation.run({.until = Time(until)});
       expect_same_state(simulation, expected);
       save(simulation);
@@ -167,7 +191,7 @@ TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
   EXPECT_EQ(whole.event_log_hash(), expected.event_log_hash());
   EXPECT_EQ(whole.positions(), expected.positions());
   support::in_processes(2, [&](Processes& processes) {
-    DistributedSimulation simulation = DistributedSimulation::of(processes, whole, 1);
+    Simulation simulation = Simulation::load(whole.save(), "state", processes);
     simulation.run({.until = Time(until + 0.1)});
     Simulation further = whole;
     further.run_until(until + 0.1);
@@ -185,7 +209,7 @@ TEST(DistributedGas, HasTheThermostatOfOneProcess) {
     Simulation expected(world);
     expected.set_thermostat(thermostat);
     std::vector<VelocityChange> expected_changes;
-    expected.on_velocity_change([&](const VelocityChange& change) { expected_changes.push_back(change); });
+    expected.observe({.change = [&](const VelocityChange& change) { expected_changes.push_back(change); }});
     const std::vector<RunLimits> pieces{{.until = Time(0.1)}, {.contacts = 200}, {.until = Time(0.5)}};
     std::vector<Simulation> states;
     for (const RunLimits& piece : pieces) {
@@ -195,38 +219,39 @@ TEST(DistributedGas, HasTheThermostatOfOneProcess) {
     std::string saved;
     std::vector<std::string> blocks;
     std::vector<VelocityChange> changes;
-    const auto run = [&](DistributedSimulation simulation, std::size_t first, std::size_t last) {
-      simulation.on_velocity_change([&](const VelocityChange& change) { changes.push_back(change); });
+    const auto run = [&](Simulation simulation, std::size_t first, std::size_t last) {
+      const bool is_first = simulation.processes().is_first();
+      simulation.observe({.change = [&, is_first](const VelocityChange& change) {
+        if (is_first) changes.push_back(change);
+      }});
       for (std::size_t piece = first; piece <= last; ++piece) {
         simulation.run(pieces[piece]);
         expect_same_state(simulation, states[piece]);
         ASSERT_EQ(simulation.sums().tally.last_change(), states[piece].tally().last_change());
-        if (!simulation.processes().is_first()) continue;
         ASSERT_EQ(simulation.thermostat()->energy(), states[piece].thermostat()->energy());
         ASSERT_EQ(simulation.thermostat()->events(), states[piece].thermostat()->events());
       }
-      const std::string state = simulation.save();
+      const std::string state = simulation.save_without_spheres();
       const std::vector<std::vector<Traveler>> own = simulation.own_blocks();
       if (!simulation.processes().is_first()) return;
       saved = state;
-      blocks.assign(1, DistributedSimulation::saved_block(own.front()));
+      blocks.assign(1, Simulation::saved_block(own.front()));
     };
     support::in_processes(3, [&](Processes& processes) {
-      DistributedSimulation simulation = DistributedSimulation::of(
-          processes, world, {.division = Division{.domains = 1, .halo = 1.3, .window = 0.5}});
+      Simulation simulation =
+          start(processes, world, {.division = Division{.domains = 1, .halo = 1.3, .window = 0.5}});
       simulation.set_thermostat(thermostat);
       run(std::move(simulation), 0, 1);
     });
-    Simulation whole = DistributedSimulation::load_whole(saved, blocks, "the saved state");
+    Simulation whole = Simulation::load_blocks(saved, blocks, "the saved state", one_process());
     whole.run(pieces[2]);
     EXPECT_EQ(whole.event_log_hash(), expected.event_log_hash());
     EXPECT_EQ(whole.positions(), expected.positions());
     const std::string before = saved;
     const std::vector<std::string> blocks_before = blocks;
     support::in_processes(2, [&](Processes& processes) {
-      run(DistributedSimulation::load(processes, before,
-                                      processes.is_first() ? blocks_before : std::vector<std::string>(), 1,
-                                      "state"),
+      run(Simulation::load_blocks(before, processes.is_first() ? blocks_before : std::vector<std::string>(),
+                                  "state", processes),
           2, 2);
     });
     ASSERT_EQ(changes.size(), expected_changes.size());
@@ -238,7 +263,7 @@ TEST(DistributedGas, HasTheThermostatOfOneProcess) {
       ASSERT_EQ(changes[k].after, expected_changes[k].after);
     }
     support::in_processes(
-        2, [&](Processes& processes) { run(DistributedSimulation::of(processes, states[1], 1), 2, 2); });
+        2, [&](Processes& processes) { run(Simulation::load(states[1].save(), "state", processes), 2, 2); });
   }
 }
 
@@ -246,7 +271,7 @@ TEST(DistributedGas, HasTheThermostatOfOneProcess) {
 TEST(DistributedGas, StopsWhereTheFirstProcessIsTold) {
   const World world = support::make_gas({.count = 200, .packing_fraction = 0.25, .seed = 4});
   support::in_processes(2, [&](Processes& processes) {
-    DistributedSimulation simulation = DistributedSimulation::of(processes, world, {});
+    Simulation simulation = start(processes, world);
     int asked = 0;
     const RunStatus status =
         simulation.run({.until = Time(100), .stop = [&] { return ++asked == 5 && processes.is_first(); }});
@@ -263,16 +288,17 @@ TEST(DistributedGas, RefusesWhatProcessesCannotShare) {
     World overlapping(Box::periodic({10, 10, 10}));
     overlapping.add({{1, 1, 1}, {1, 0, 0}, 1, 1});
     overlapping.add({{2, 1, 1}, {1, 0, 0}, 1, 1});
-    EXPECT_THROW(DistributedSimulation::of(processes, overlapping, {}), Error);
+    EXPECT_THROW(start(processes, overlapping), Error);
+    EXPECT_THROW(start(processes, overlapping, {}, Brought::whole), Error);
     World merging(Box::periodic({10, 10, 10}));
     merging.add({{1, 1, 1}, {1, 0, 0}, 1, 1});
     const World gas = support::make_gas({.count = 20, .packing_fraction = 0.1, .seed = 5});
-    EXPECT_THROW(DistributedSimulation::of(processes, gas, {.engine = EngineKind::paper}), Error);
-    EXPECT_THROW(DistributedSimulation::of(processes, gas, {.engine = EngineKind::all_pairs}), Error);
+    EXPECT_THROW(start(processes, gas, {.engine = EngineKind::paper}), Error);
+    EXPECT_THROW(start(processes, gas, {.engine = EngineKind::all_pairs}), Error);
     merging.set_interactions(ResponseTable(Merging(), Bounce()));
     const auto problem_of = [&](const World& world) {
       try {
-        static_cast<void>(DistributedSimulation::of(processes, world, {}));
+        static_cast<void>(start(processes, world));
       } catch (const Error& error) {
         return error.problem();
       }
@@ -282,9 +308,6 @@ TEST(DistributedGas, RefusesWhatProcessesCannotShare) {
     const World stepping =
         support::interacting(gas, support::stepping({.steps = {{.ratio = 1.2, .energy = -1}}}));
     EXPECT_EQ(problem_of(stepping), "processes cannot share spheres with potentials of steps");
-    World growing = gas;
-    growing.set_growth({Time(0), Time(1), 1, 0.01});
-    EXPECT_EQ(problem_of(growing), "processes cannot share a growth");
     Box sheared = Box::periodic({10, 10, 10});
     sheared.set_shear({.rate = 0.1});
     EXPECT_EQ(problem_of(World(sheared)), "processes cannot share a sheared box");

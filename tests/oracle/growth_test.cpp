@@ -178,11 +178,11 @@ TEST_P(GrowthAgrees, OnRandomWorlds) {
       try {
         Simulation simulation(made.world, variant.options);
         double edits = 0;
-        simulation.on_velocity_change([&](const VelocityChange& change) {
+        simulation.observe({.change = [&](const VelocityChange& change) {
           edits += change.mass *
                    (hardball::dot(change.after, change.after) - hardball::dot(change.before, change.before)) /
                    2;
-        });
+        }});
         simulation.grow(*rules);
         const bool is_split = expected && variant.name == variants.back().name;
         Outcome outcome;

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/domains/domains_engine.hpp"
 #include "hardball/events/calendar_queue.hpp"
+#include "hardball/measure/contact_sums.hpp"
 #include "hardball/numbers/random.hpp"
-#include "hardball/parallel/parallel_engine.hpp"
 #include "hardball/placement/placement.hpp"
-#include "hardball/simulation/contact_sums.hpp"
 #include "hardball/world/audit.hpp"
 #include "support/crystal.hpp"
 #include "support/discs.hpp"
@@ -363,10 +363,9 @@ TEST(HardCasesForDomains, CollapsesOfBothSpheresOfAContact) {
   world.set_interactions(Restitution(0.5));
   Aftermath before;
   for (const SphereId sphere : {0U, 1U}) before.collapse.set_idle_contacts(sphere, 9999);
-  ParallelEngine<CalendarQueue, CellGrid, ContactSums> engine(world, PhaseSettings(1.5),
-                                                              {.domains = 2, .halo = 1.05}, Time(0));
-  ASSERT_EQ(engine.partition().domain_at({8.5, 2, 2}), 1U);
-  ASSERT_EQ(engine.partition().domain_at({7.5, 2, 2}), 0U);
+  DomainsEngine engine(world, PhaseSettings(1.5), {.domains = 2, .halo = 1.05}, Time(0));
+  ASSERT_LE(engine.blocks()[1].distance({8.5, 2, 2}), 0);
+  ASSERT_LE(engine.blocks()[0].distance({7.5, 2, 2}), 0);
   engine.take_over(before);
   ContactSums sums;
   try {
@@ -411,20 +410,19 @@ TEST(HardCasesForDomains, ContactsThatThrow) {
 
 // Windows of many contacts for each sphere fail again and again, until single steps lead on.
 TEST(HardCasesForDomains, WindowsThatAreFarTooLong) {
-  using Divided = ParallelEngine<CalendarQueue, CellGrid, ContactSums>;
   for (const double packing_fraction : {0.005, 0.3}) {
     for (std::uint64_t seed = 0; seed < support::cases(5); ++seed) {
       const World world =
           support::make_gas({.count = 150, .packing_fraction = packing_fraction, .seed = seed});
       Simulation reference(world);
       const History expected = support::run_on(reference, {.contacts = 300});
-      Divided divided(world, PhaseSettings(1.5),
-                      {.domains = 6, .halo = 1.05, .window = 3, .first_window = 100}, Time(0));
+      DomainsEngine divided(world, PhaseSettings(1.5),
+                            {.domains = 6, .halo = 1.05, .window = 3, .first_window = 100}, Time(0));
       ContactSums sums;
       divided.run({.contacts = 300}, sums, {});
       EXPECT_EQ(sums.hash.value(), expected.hash);
-      EXPECT_GT(divided.window_counters().failed, 10U);
-      EXPECT_GT(divided.window_counters().steps, 0U);
+      EXPECT_GT(divided.windows().failed, 10U);
+      EXPECT_GT(divided.windows().steps, 0U);
     }
   }
 }

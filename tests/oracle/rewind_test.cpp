@@ -12,7 +12,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
-#include "hardball/simulation/any_engine.hpp"
+#include "hardball/run/make_engine.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 #include "support/random_world.hpp"
@@ -148,7 +148,7 @@ class EditedEngine {
   double until_;
   EngineKind kind_;
   double length_ = 0;
-  std::unique_ptr<AnyEngine> engine_;
+  std::unique_ptr<EngineBase> engine_;
   ContactSums sums_;
   bool was_replaced_ = false;
   std::vector<Entry> log_;

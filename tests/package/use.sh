@@ -19,6 +19,13 @@ prints() {
   [[ $output == *"$1"* ]] || { echo "no '$1' in what ${*:2} prints:" && echo "$output" && return 1; }
 }
 
+# refuses TEXT COMMAND...: fails unless the exit status of the command is 2 and its messages have the text.
+refuses() {
+  local output status=0
+  output=$("${@:2}" 2>&1) || status=$?
+  [[ $status == 2 && $output == *"$1"* ]] || { echo "exit status $status of ${*:2}: $output" && return 1; }
+}
+
 echo "-- the program, with nothing but what it depends on"
 install ./hardball_*.deb
 dpkg --verify hardball
@@ -26,6 +33,15 @@ hardball --version
 prints "event_log_hash" hardball run "$examples/newtons_cradle.toml" --json --quiet
 prints "all runs are the same" hardball verify "$examples/two_spheres.toml"
 hardball replay "$examples/two_spheres.toml" --out page.html && test -s page.html
+
+echo "-- the program in several processes, without MPI and with it"
+refuses "install Open MPI (openmpi-bin in Debian)" env OMPI_COMM_WORLD_SIZE=2 hardball run "$examples/newtons_cradle.toml"
+install openmpi-bin
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+# All processes are on this machine, where nothing but shared memory may be allowed.
+export OMPI_MCA_plm=isolated OMPI_MCA_btl=self,vader OMPI_MCA_btl_vader_single_copy_mechanism=none
+hash=$(hardball run "$examples/paper.toml" --until 0.5 --quiet | grep hash)
+prints "$hash" mpirun --oversubscribe -n 2 hardball run "$examples/paper.toml" --until 0.5 --quiet
 
 echo "-- manual and completions"
 install man-db zsh fish bash-completion

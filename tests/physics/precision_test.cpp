@@ -107,7 +107,7 @@ TEST(AnEngineStartedLate, MeetsContactsAsWellAsOneStartedAtZero) {
     World world(Box::walls({4, 4, 4}));
     world.add({.position = {1, 1.25, 1.5}, .velocity = {1.1, -0.7, 0.6}, .radius = 0.75}, start);
     world.add({.position = {3, 2.5, 2.75}, .velocity = {-0.8, 0.9, -1.2}, .radius = 0.75}, start);
-    Engine<CalendarQueue, CellGrid> engine(world, CellGrid(1.5), start);
+    Engine<CalendarQueue> engine(world, {PhaseKind::cells, 1.5}, start);
     Gaps gaps;
     engine.run({.contacts = kContacts}, [&](const Contact& contact) { gaps.note(contact, start); });
     return gaps;

@@ -5,7 +5,8 @@
 
 usage: check_face.py PROJECT_FOLDER
 
-Each public header says in a comment what it is for, and hardball.hpp includes them all. Examples, pages and the
+Each public header says in a comment what it is for, and hardball.hpp includes them all. By each but version.hpp the
+source that includes it has the library check how it was compiled. Examples, pages and the
 projects in tests/structure include no headers of rooms.
 """
 
@@ -17,6 +18,19 @@ INCLUDE = re.compile(r'^#include [<"](hardball/[^>"]+)[>"]', re.MULTILINE)
 OF_USERS = ["README.md", "docs/*.md", "examples/*.cpp", "tests/structure/*/*.cpp"]
 
 
+CHECK = "hardball/errors/compilation.hpp"
+
+
+def reached(project, header):
+    """The headers of the library that one includes, directly or not, with itself."""
+    found, left = set(), [header]
+    while left:
+        if (header := left.pop()) not in found:
+            found.add(header)
+            left += INCLUDE.findall((project / header).read_text())
+    return found
+
+
 def check(project):
     """All faults, one line of text each."""
     public = {f"hardball/{file.name}": file.read_text() for file in (project / "hardball").glob("*.hpp")}
@@ -26,6 +40,8 @@ def check(project):
             yield f"{header}: no comment says what it is for"
         if header != umbrella and header not in INCLUDE.findall(public[umbrella]):
             yield f"{umbrella}: does not include {header}"
+        if header != "hardball/version.hpp" and CHECK not in reached(project, header):
+            yield f"{header}: does not include {CHECK}"
     for file in sorted(file for pattern in OF_USERS for file in project.glob(pattern)):
         for header in INCLUDE.findall(file.read_text()):
             if header not in public:

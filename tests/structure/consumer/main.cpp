@@ -65,8 +65,9 @@ bool files_are_read(const fs::path& folder) {
     log.append(contact);
     recording.note(contact, simulation.world());
   });
-  simulation.on_velocity_change(
-      [&](const hardball::VelocityChange& change) { recording.note(change, simulation.world()); });
+  simulation.observe({.change = [&](const hardball::VelocityChange& change) {
+    recording.note(change, simulation.world());
+  }});
   simulation.run_until(2, measures);
   log.close();
   recording.close(2);

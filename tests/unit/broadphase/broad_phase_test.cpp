@@ -30,7 +30,7 @@ namespace {
 using Partner = std::pair<Slot, std::array<std::int32_t, kAxes>>;
 
 // A broad phase with the compact copies of paths that it reads, made as the engine makes them.
-template <BroadPhase Phase>
+template <class Phase>
 class Copying {
  public:
   template <class... Arguments>

@@ -19,6 +19,7 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/paper/paper_engine.hpp"
 #include "hardball/placement/placement.hpp"
+#include "support/run_engine.hpp"
 
 namespace hardball::engine_test {
 namespace {
@@ -31,32 +32,34 @@ World newtons_cradle() {
   return world;
 }
 
+using support::run;
+
 template <class Made>
 struct EveryEngine : testing::Test {};
 
 struct CellsWithCalendar {
   static auto make(World world) {
-    return Engine<CalendarQueue, CellGrid>(std::move(world), CellGrid(1.3), Time(0));
+    return Engine<CalendarQueue>(std::move(world), PhaseSettings(PhaseKind::cells, 1.3), Time(0));
   }
 };
 struct CellsWithTree {
   static auto make(World world) {
-    return Engine<OrderedQueue, CellGrid>(std::move(world), CellGrid(0.6), Time(0));
+    return Engine<OrderedQueue>(std::move(world), PhaseSettings(PhaseKind::cells, 0.6), Time(0));
   }
 };
 struct AllPairsWithCalendar {
   static auto make(World world) {
-    return Engine<CalendarQueue, AllPairs>(std::move(world), AllPairs(), Time(0));
+    return Engine<CalendarQueue>(std::move(world), PhaseSettings(PhaseKind::all_pairs, 1), Time(0));
   }
 };
 struct NeighborsWithCalendar {
   static auto make(World world) {
-    return Engine<CalendarQueue, NeighborList>(std::move(world), NeighborList(0.3), Time(0));
+    return Engine<CalendarQueue>(std::move(world), PhaseSettings(PhaseKind::neighbors, 0.3), Time(0));
   }
 };
 struct NeighborsWithTree {
   static auto make(World world) {
-    return Engine<OrderedQueue, NeighborList>(std::move(world), NeighborList(0.1), Time(0));
+    return Engine<OrderedQueue>(std::move(world), PhaseSettings(PhaseKind::neighbors, 0.1), Time(0));
   }
 };
 struct Paper {
@@ -76,7 +79,7 @@ void change_velocity(auto& engine, Slot slot, const Time& moment, const Vec3& ve
 TYPED_TEST(EveryEngine, RunsNewtonsCradleWithoutRounding) {
   auto engine = TypeParam::make(newtons_cradle());
   double expected = 0;
-  const RunStatus status = engine.run({.until = Time(1000)}, [&](const Contact& contact) {
+  const RunStatus status = run(engine, {.until = Time(1000)}, [&](const Contact& contact) {
     expected += 1;
     ASSERT_EQ(contact.time, Time(expected));
     ASSERT_EQ(contact.overlap(), 0);
@@ -90,15 +93,15 @@ TYPED_TEST(EveryEngine, RunsNewtonsCradleWithoutRounding) {
 
 TYPED_TEST(EveryEngine, StopsAtTheFirstLimitReached) {
   auto engine = TypeParam::make(newtons_cradle());
-  EXPECT_EQ(engine.run({.until = Time(50), .contacts = 0}, kIgnore), RunStatus::contacts_reached);
+  EXPECT_EQ(run(engine, {.until = Time(50), .contacts = 0}, kIgnore), RunStatus::contacts_reached);
   EXPECT_EQ(engine.counters().contacts(), 0U);
-  EXPECT_EQ(engine.run({.until = Time(50), .contacts = 3}, kIgnore), RunStatus::contacts_reached);
+  EXPECT_EQ(run(engine, {.until = Time(50), .contacts = 3}, kIgnore), RunStatus::contacts_reached);
   EXPECT_EQ(engine.now(), Time(3));
-  EXPECT_EQ(engine.run({.until = Time(3.5), .contacts = 3}, kIgnore), RunStatus::time_reached);
+  EXPECT_EQ(run(engine, {.until = Time(3.5), .contacts = 3}, kIgnore), RunStatus::time_reached);
   EXPECT_EQ(engine.counters().contacts(), 3U);
-  EXPECT_EQ(engine.run({.until = Time(50), .steps = 0}, kIgnore), RunStatus::steps_reached);
+  EXPECT_EQ(run(engine, {.until = Time(50), .steps = 0}, kIgnore), RunStatus::steps_reached);
   EXPECT_EQ(engine.counters().contacts(), 3U);
-  EXPECT_EQ(engine.run({.until = Time(50), .steps = 1}, kIgnore), RunStatus::steps_reached);
+  EXPECT_EQ(run(engine, {.until = Time(50), .steps = 1}, kIgnore), RunStatus::steps_reached);
 }
 
 TYPED_TEST(EveryEngine, ReturnsTheNextContactWithoutExecutingIt) {
@@ -127,9 +130,9 @@ TYPED_TEST(EveryEngine, NamesSpheresByTheirIdsWhereverTheyAreStored) {
   auto plain = TypeParam::make(cradle);
   EXPECT_EQ(engine.next_contact(Time(10)), (Event{Time(1), EventKind::collision, 4, 5, {}}));
   std::vector<Contact> expected;
-  plain.run({.until = Time(100)}, [&](const Contact& contact) { expected.push_back(contact); });
+  run(plain, {.until = Time(100)}, [&](const Contact& contact) { expected.push_back(contact); });
   std::size_t count = 0;
-  engine.run({.until = Time(100)}, [&](const Contact& contact) {
+  run(engine, {.until = Time(100)}, [&](const Contact& contact) {
     ASSERT_LT(count, expected.size());
     EXPECT_EQ(contact.time, expected[count].time);
     EXPECT_EQ(contact.first, expected[count].first + 3);
@@ -144,12 +147,12 @@ TYPED_TEST(EveryEngine, NamesSpheresByTheirIdsWhereverTheyAreStored) {
 
 TYPED_TEST(EveryEngine, IsAValueThatCanBeCopied) {
   auto engine = TypeParam::make(newtons_cradle());
-  engine.run({.until = Time(4)}, kIgnore);
+  run(engine, {.until = Time(4)}, kIgnore);
   auto copy = engine;
   std::vector<Time> times;
   std::vector<Time> copied_times;
-  engine.run({.until = Time(30)}, [&](const Contact& contact) { times.push_back(contact.time); });
-  copy.run({.until = Time(30)}, [&](const Contact& contact) { copied_times.push_back(contact.time); });
+  run(engine, {.until = Time(30)}, [&](const Contact& contact) { times.push_back(contact.time); });
+  run(copy, {.until = Time(30)}, [&](const Contact& contact) { copied_times.push_back(contact.time); });
   EXPECT_EQ(times.size(), 26U);
   EXPECT_EQ(times, copied_times);
 }
@@ -157,20 +160,20 @@ TYPED_TEST(EveryEngine, IsAValueThatCanBeCopied) {
 TYPED_TEST(EveryEngine, GoesOnAfterAnObserverThrew) {
   auto engine = TypeParam::make(newtons_cradle());
   const auto throws = [](const Contact&) { throw std::runtime_error("enough"); };
-  EXPECT_THROW(engine.run({}, throws), std::runtime_error);
+  EXPECT_THROW(run(engine, {}, throws), std::runtime_error);
   EXPECT_EQ(engine.counters().contacts(), 1U) << "the contact has happened";
-  engine.run({.contacts = 1}, kIgnore);
+  run(engine, {.contacts = 1}, kIgnore);
   EXPECT_EQ(engine.now(), Time(2));
   engine.validate();
 }
 
 TYPED_TEST(EveryEngine, TakesANewVelocityInBetween) {
   auto engine = TypeParam::make(newtons_cradle());
-  engine.run({.until = Time(1.5)}, kIgnore);
+  run(engine, {.until = Time(1.5)}, kIgnore);
   // Sphere 2 has moved from 3 to 3.5; it turns back toward sphere 1, at rest at 2.
   change_velocity(engine, 2, Time(1.5), {-0.5, 0, 0});
   std::vector<Time> times;
-  engine.run({.until = Time(3)}, [&](const Contact& contact) { times.push_back(contact.time); });
+  run(engine, {.until = Time(3)}, [&](const Contact& contact) { times.push_back(contact.time); });
   EXPECT_EQ(times, (std::vector<Time>{Time(2.5)}));
   engine.validate();
 }
@@ -211,7 +214,7 @@ void run_and_validate(Checked engine) {
   ASSERT_NO_THROW(engine.validate());
   for (int stop = 0; stop < 30; ++stop) {
     // In open space contacts end, and crossings do not.
-    engine.run({.contacts = 50, .steps = 3000}, kIgnore);
+    run(engine, {.contacts = 50, .steps = 3000}, kIgnore);
     ASSERT_NO_THROW(engine.validate()) << "after " << engine.counters().contacts() << " contacts";
     // A change from outside, too.
     change_velocity(engine, static_cast<Slot>(7 * stop), engine.now(), {1, 2, -3});
@@ -232,9 +235,9 @@ TEST(Engine, KeepsItsStructuresSoundInEveryKindOfBox) {
                                       << static_cast<int>(boundary[2]) << ", " << smallest_radius);
       const World world = mixed_gas(boundary, 5, smallest_radius);
       for (const double skin : {0.02, 0.2, 1.0}) {
-        run_and_validate(Engine<CalendarQueue, NeighborList>(world, NeighborList(skin), Time(0)));
+        run_and_validate(Engine<CalendarQueue>(world, PhaseSettings(PhaseKind::neighbors, skin), Time(0)));
       }
-      run_and_validate(Engine<CalendarQueue, CellGrid>(world, CellGrid(1.3), Time(0)));
+      run_and_validate(Engine<CalendarQueue>(world, PhaseSettings(PhaseKind::cells, 1.3), Time(0)));
       if (HasFailure()) return;
     }
   }
@@ -242,8 +245,7 @@ TEST(Engine, KeepsItsStructuresSoundInEveryKindOfBox) {
 
 // Prefetching reads spheres whose queue entries are dead: stopped ones have no next crossing, and there are
 // no cells behind a wall.
-template <class Phase>
-void stop_spheres_in_a_large_gas(Phase phase) {
+void stop_spheres_in_a_large_gas(const PhaseSettings& phase) {
   Random random(6);
   constexpr int kPerAxis = 23;
   World world(Box::walls({3.0 * kPerAxis, 3.0 * kPerAxis, 3.0 * kPerAxis}));
@@ -252,18 +254,18 @@ void stop_spheres_in_a_large_gas(Phase phase) {
                      1.5 + 3.0 * (i / kPerAxis / kPerAxis)};
     world.add({place, random.direction(), 0.25, 1});
   }
-  Engine<CalendarQueue, Phase> engine(std::move(world), std::move(phase), Time(0));
-  engine.run({.until = Time(0.01)}, kIgnore);
+  Engine<CalendarQueue> engine(std::move(world), phase, Time(0));
+  run(engine, {.until = Time(0.01)}, kIgnore);
   for (Slot slot = 0; slot < engine.world().size(); slot += 2) {
     change_velocity(engine, slot, Time(0.01), {0, 0, 0});
   }
-  EXPECT_NO_THROW(engine.run({.until = Time(3)}, kIgnore));
+  EXPECT_NO_THROW(run(engine, {.until = Time(3)}, kIgnore));
   EXPECT_GT(engine.counters().contacts(), 100U);
 }
 
 TEST(Engine, PrefetchesForSpheresThatHaveBeenStopped) {
-  stop_spheres_in_a_large_gas(CellGrid(3));
-  stop_spheres_in_a_large_gas(NeighborList(0.5));
+  stop_spheres_in_a_large_gas({PhaseKind::cells, 3});
+  stop_spheres_in_a_large_gas({PhaseKind::neighbors, 0.5});
 }
 
 }  // namespace

@@ -7,9 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/broadphase/all_pairs.hpp"
-#include "hardball/broadphase/cell_grid.hpp"
-#include "hardball/broadphase/large_sphere_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/engine/engine.hpp"
 #include "hardball/events/calendar_queue.hpp"
@@ -18,8 +15,7 @@
 namespace hardball::put_test {
 namespace {
 
-template <class Phase>
-using EngineOf = Engine<CalendarQueue, Phase>;
+using PlainEngine = Engine<CalendarQueue>;
 
 // In open space contacts end, and crossings do not.
 std::vector<Contact> next_contacts(auto& engine, std::uint64_t count) {
@@ -31,9 +27,8 @@ std::vector<Contact> next_contacts(auto& engine, std::uint64_t count) {
 
 // Puts all spheres of an engine where they are in a copy that has run on for `wait`, without letting that
 // time pass.
-template <class Phase>
-void put_where_they_will_be(EngineOf<Phase>& engine, double wait) {
-  EngineOf<Phase> ahead = engine;
+void put_where_they_will_be(PlainEngine& engine, double wait) {
+  PlainEngine ahead = engine;
   const Time now = engine.now();
   const Time then(now.high + wait);
   ahead.run({.until = then}, [](const Contact&) {});
@@ -46,18 +41,17 @@ void put_where_they_will_be(EngineOf<Phase>& engine, double wait) {
 }
 
 // Spheres that stay in their regions, and others that do not: the contacts are those of an engine made anew.
-template <class Phase>
-void expect_contacts_of_a_new_engine(const Phase& phase, Boundary boundary, double packing_fraction) {
+void expect_contacts_of_a_new_engine(const PhaseSettings& phase, Boundary boundary, double packing_fraction) {
   const World gas = support::make_gas(
       {.count = 100, .packing_fraction = packing_fraction, .seed = 3, .boundary = boundary});
-  EngineOf<Phase> engine(gas, phase, Time(0));
+  PlainEngine engine(gas, phase, Time(0));
   for (const double wait : {1e-3, 0.03, 0.3, 4.0}) {
     SCOPED_TRACE(wait);
     next_contacts(engine, 100);
     put_where_they_will_be(engine, wait);
     ASSERT_FALSE(engine.is_outdated());
     ASSERT_NO_THROW(engine.validate());
-    EngineOf<AllPairs> made_anew(engine.world(), AllPairs(), engine.now());
+    PlainEngine made_anew(engine.world(), {PhaseKind::all_pairs, 1}, engine.now());
     const std::vector<Contact> expected = next_contacts(made_anew, 200);
     const std::vector<Contact> found = next_contacts(engine, 200);
     ASSERT_EQ(found.size(), expected.size());
@@ -73,10 +67,10 @@ TEST(PutOnPaths, GivesTheContactsOfANewEngine) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall, Boundary::open}) {
     for (const double packing_fraction : {0.02, 0.3}) {
       SCOPED_TRACE(testing::Message() << static_cast<int>(boundary) << " " << packing_fraction);
-      expect_contacts_of_a_new_engine(AllPairs(), boundary, packing_fraction);
-      expect_contacts_of_a_new_engine(CellGrid(1.3), boundary, packing_fraction);
-      expect_contacts_of_a_new_engine(CellGrid(0.7), boundary, packing_fraction);
-      expect_contacts_of_a_new_engine(NeighborList(0.3), boundary, packing_fraction);
+      expect_contacts_of_a_new_engine({PhaseKind::all_pairs, 1}, boundary, packing_fraction);
+      expect_contacts_of_a_new_engine({PhaseKind::cells, 1.3}, boundary, packing_fraction);
+      expect_contacts_of_a_new_engine({PhaseKind::cells, 0.7}, boundary, packing_fraction);
+      expect_contacts_of_a_new_engine({PhaseKind::neighbors, 0.3}, boundary, packing_fraction);
     }
   }
 }

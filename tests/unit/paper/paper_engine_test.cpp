@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/run_engine.hpp"
+
 namespace hardball::paper_engine_test {
 namespace {
 
@@ -11,7 +13,7 @@ TEST(PaperEngine, CountsEveryEnterAndLeave) {
   World world;
   world.add({{0.75, 0.75, 0.75}, {1, 0, 0}, 0.25, 1});
   PaperEngine engine(world, 1.5, Time(0));
-  engine.run({.until = Time(30)}, [](const Contact&) {});
+  support::run(engine, {.until = Time(30)}, [](const Contact&) {});
   // It moves from 0.75 to 30.75: its front passes 1.5, 3, ... 30 and its back 1.5, ... 30.
   EXPECT_EQ(engine.counters().enter, 20U);
   EXPECT_EQ(engine.counters().leave, 20U);
@@ -25,7 +27,8 @@ TEST(PaperEngine, RemovesCandidatesThatNoLongerShareASubspace) {
   PaperEngine engine(world, 2, Time(0));
   const auto contacts_met = [&] { return engine.counters().contacts(); };
   while (contacts_met() == 0) {
-    ASSERT_EQ(engine.run({.until = Time(100), .steps = 1}, [](const Contact&) {}), RunStatus::steps_reached);
+    ASSERT_EQ(support::run(engine, {.until = Time(100), .steps = 1}, [](const Contact&) {}),
+              RunStatus::steps_reached);
     engine.validate();
   }
   EXPECT_GT(engine.counters().leave, 2U);

@@ -26,11 +26,8 @@ Simulation record(const std::filesystem::path& path, Boundary boundary) {
   Simulation simulation(support::make_gas({.count = 200, .packing_fraction = 0.2, .boundary = boundary}));
   simulation.grow({.rate = 0.1, .until_packing_fraction = 0.5});
   std::optional<RecordingWriter> writer;
-  simulation.on_contact([&](const Contact& contact) { writer->note(contact, simulation.world()); });
-  simulation.on_velocity_change(
-      [&](const VelocityChange& change) { writer->note(change, simulation.world()); });
-  simulation.on_epoch([&](const Growth& epoch) { writer->note(epoch); });
   writer.emplace(path, recording_header(simulation), simulation.world());
+  simulation.observe(recording_observer(*writer, simulation));
   simulation.run_contacts(1000);
   const std::string saved = writer->save();
   writer.reset();
@@ -38,9 +35,7 @@ Simulation record(const std::filesystem::path& path, Boundary boundary) {
   while (!simulation.growth()->is_over()) simulation.run_until(simulation.growth()->next());
   simulation.run_until(simulation.time() + 0.1);
   writer->close(simulation.time());
-  simulation.on_contact({});
-  simulation.on_velocity_change({});
-  simulation.on_epoch({});
+  simulation.observe({});
   return simulation;
 }
 

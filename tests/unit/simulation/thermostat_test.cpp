@@ -42,8 +42,8 @@ TEST(SimulationWithThermostat, ActsAtItsTimes) {
   std::vector<double> contacts;
   std::vector<double> changes;
   simulation.on_contact([&](const Contact& contact) { contacts.push_back(contact.time.value()); });
-  simulation.on_velocity_change(
-      [&](const VelocityChange& change) { changes.push_back(change.time.value()); });
+  simulation.observe(
+      {.change = [&](const VelocityChange& change) { changes.push_back(change.time.value()); }});
   simulation.run_until(4);
   EXPECT_EQ(changes, (std::vector<double>{3, 3}));
   EXPECT_EQ(contacts, (std::vector<double>{3.5})) << "twice as fast for the last unit of the way";
@@ -181,7 +181,7 @@ TEST(SimulationWithThermostat, TellsOfNoChangesThatAreOnlyForeseen) {
   Simulation simulation(head_on_pair());
   simulation.set_thermostat(speed_doubler(3));
   int changes = 0;
-  simulation.on_velocity_change([&](const VelocityChange&) { ++changes; });
+  simulation.observe({.change = [&](const VelocityChange&) { ++changes; }});
   EXPECT_EQ(simulation.next_contact()->time, 3.5);
   EXPECT_EQ(simulation.contacts_within(3.75).size(), 1U);
   EXPECT_EQ(changes, 0);
@@ -272,9 +272,9 @@ TEST(SimulationWithThermostat, MayBeSetAndSpheresEditedByAListener) {
 TEST(SimulationWithThermostat, MustNotBeEditedByWhoHearsOfVelocities) {
   Simulation simulation(head_on_pair());
   simulation.set_thermostat(speed_doubler(1));
-  simulation.on_velocity_change([&](const VelocityChange&) { simulation.change_velocity(0, {}); });
+  simulation.observe({.change = [&](const VelocityChange&) { simulation.change_velocity(0, {}); }});
   EXPECT_THROW(simulation.run_until(2), Error);
-  simulation.on_velocity_change([&](const VelocityChange&) { simulation.run_until(3); });
+  simulation.observe({.change = [&](const VelocityChange&) { simulation.run_until(3); }});
   EXPECT_THROW(simulation.change_velocity(0, {1, 0, 0}), Error);
 }
 
@@ -291,8 +291,8 @@ TEST(SimulationWithThermostat, IsRecorded) {
       writer.note(contact, simulation.world());
       ++contacts;
     });
-    simulation.on_velocity_change(
-        [&](const VelocityChange& change) { writer.note(change, simulation.world()); });
+    simulation.observe(
+        {.change = [&](const VelocityChange& change) { writer.note(change, simulation.world()); }});
     simulation.run_until(20);
     simulation.change_velocity(4, {3, 0, 0});
     simulation.run_until(40);

@@ -150,8 +150,8 @@ TEST(Threads, ShowListenersWhatOneThreadShows) {
 TEST(Threads, LogContactsInTheOrderOfOneThread) {
   const auto contacts_of = [](Simulation simulation) {
     std::vector<std::pair<Time, SphereId>> logged;
-    simulation.log_contacts(
-        [&](const Contact& contact) { logged.emplace_back(contact.time, contact.first); });
+    simulation.observe(
+        {.contact = [&](const Contact& contact) { logged.emplace_back(contact.time, contact.first); }});
     simulation.run_until(0.2);
     simulation.run_contacts(50);
     return logged;
@@ -167,9 +167,9 @@ TEST(Threads, GoOnAfterALogHasThrown) {
   for (const EngineOptions& options : {EngineOptions(), EngineOptions{.division = kShallow}}) {
     Simulation simulation(gas(), options);
     std::uint64_t logged = 0;
-    simulation.log_contacts([&](const Contact&) {
+    simulation.observe({.contact = [&](const Contact&) {
       if (++logged == 20) throw std::runtime_error("the disk is full");
-    });
+    }});
     EXPECT_THROW(simulation.run_until(0.3), std::runtime_error);
     EXPECT_EQ(logged, 20U);
     EXPECT_GE(simulation.counters().contacts(), 20U);
@@ -182,7 +182,7 @@ TEST(Threads, GoOnAfterALogHasThrown) {
 
 TEST(Threads, RefuseToShowALogTheWorld) {
   Simulation simulation(gas(), {.division = kShallow});
-  simulation.log_contacts([&](const Contact&) { static_cast<void>(simulation.world()); });
+  simulation.observe({.contact = [&](const Contact&) { static_cast<void>(simulation.world()); }});
   EXPECT_EQ(problem_of([&] { simulation.run_until(0.3); }),
             "contacts are logged when later ones have happened");
 }

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "apps/cli/started_run.hpp"
+
+namespace hardball::cli {
+
+/// Appends a frame of a run as it is to its trajectories, with this time [T], if it has any. Where several
+/// processes share the run and nobody has asked for the world, spheres come block by block to the first of
+/// them, which never holds all, if all formats allow that. Error (RunFailure), in all processes: it cannot be
+/// written.
+void write_snapshot(StartedRun& run, double time);
+
+}  // namespace hardball::cli

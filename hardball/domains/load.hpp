@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hardball/domains/partition.hpp"
+#include "hardball/engine/window_counters.hpp"
+#include "hardball/geometry/vec3.hpp"
+
+namespace hardball {
+
+/// What the domains of a division have had to do since it was made, and whether another one would pay: by
+/// counts alone, so that all who share a system decide alike, in every run.
+struct Load {
+  std::vector<std::uint64_t> contacts;  ///< Of own spheres, by domain.
+  WindowCounters windows;
+
+  /// How many more contacts all domains could have had while they waited for the one that has most.
+  std::uint64_t waited() const;
+  /// Whether so much has been waited that dividing so many spheres evenly costs less.
+  bool is_uneven(std::uint64_t spheres) const;
+  /// Whether so many windows fail that deeper halos cost less.
+  bool has_shallow_halos() const;
+};
+
+/// Centers from which a partition would make blocks that have as many contacts: each of these as often as
+/// spheres of its domain have contacts, relative to others. Cost: O(n log(domains)).
+std::vector<Vec3> centers_by_load(std::span<const Vec3> centers, const Partition& partition,
+                                  const Load& load);
+
+}  // namespace hardball

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "hardball/domains/partition.hpp"
+#include "hardball/geometry/path.hpp"
+#include "hardball/geometry/vec3.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// What a contact did to a sphere that several domains hold.
+struct PathRecord {
+  static constexpr SphereId kWall = std::numeric_limits<SphereId>::max();
+
+  Path path;  ///< After the contact.
+  Vec3 spin;  ///< Likewise [1/T].
+  Time time;  ///< Of the contact.
+  SphereId sphere = 0;
+  SphereId partner = kWall;  ///< Whom the sphere met.
+  /// Whether that is an own sphere of the domain that is told, or that notes it of a ghost.
+  bool is_partner_own = false;
+
+  friend bool operator==(const PathRecord&, const PathRecord&) = default;
+};
+
+/// A part of a path that leads near a block, of a sphere that the block's domain does not hold.
+struct Flight {
+  double begin = 0;     ///< Of that part [T].
+  double distance = 0;  ///< From the block then [L].
+  double speed = 0;     ///< The largest component of the velocity then [L/T].
+  double least = 0;     ///< No point of the part is nearer to the block [L].
+};
+
+/// Where a sphere is that differs in two domains, from the last change on which they agree to the end of the
+/// window: in a cube.
+struct Doubt {
+  double since = 0;   ///< When they began to differ [T].
+  Vec3 center;        ///< [L]
+  double extent = 0;  ///< Half the edge of the cube [L].
+};
+
+/// A sphere that a domain is to hold, and who owns it.
+struct Arrival {
+  SphereState sphere;
+  DomainNumber owner = 0;
+};
+
+/// A sphere has a new owner.
+struct NewOwner {
+  SphereId sphere = 0;
+  DomainNumber owner = 0;
+};
+
+/// A sphere is yours: these domains hold it, besides you.
+struct Handover {
+  SphereState sphere;
+  std::vector<DomainNumber> holders;
+  std::uint32_t idle_contacts = 0;  ///< See CollapseGuard.
+};
+
+/// What one domain tells another in a window.
+struct Outbox {
+  std::vector<PathRecord> records;  ///< Of own spheres that the other holds, in the order of time.
+  std::vector<Flight> flights;
+  std::vector<Doubt> doubts;  ///< About spheres that the other owns.
+  std::vector<SphereId> departures;
+  std::vector<Arrival> arrivals;
+  std::vector<NewOwner> new_owners;
+  std::vector<Handover> handovers;
+
+  void clear() {
+    records.clear();
+    flights.clear();
+    doubts.clear();
+    departures.clear();
+    arrivals.clear();
+    new_owners.clear();
+    handovers.clear();
+  }
+};
+
+}  // namespace hardball

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/domains/processors.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
+namespace hardball {
+namespace {
+
+// Processors that were busy in the last minute, on the average; zero where that cannot be found out.
+double load() {
+#if defined(__linux__) || defined(__APPLE__)
+  double load = 0;
+  if (getloadavg(&load, 1) == 1) return load;
+#endif
+  return 0;
+}
+
+// Of the container, or of the machine.
+std::string quota() {
+  std::ifstream file("/sys/fs/cgroup/cpu.max");
+  std::string text;
+  std::getline(file, text);
+  return text;
+}
+
+}  // namespace
+
+std::vector<int> available_processors() {
+  std::vector<int> processors;
+#if defined(__linux__)
+  cpu_set_t available;
+  if (sched_getaffinity(0, sizeof available, &available) != 0) return processors;
+  for (int processor = 0; processor < CPU_SETSIZE; ++processor) {
+    if (CPU_ISSET(static_cast<unsigned>(processor), &available)) processors.push_back(processor);
+  }
+#endif
+  return processors;
+}
+
+// Numbers half of all processors apart often belong to one core: they fall to one thread.
+std::vector<int> processors_of_thread(const std::vector<int>& available, std::size_t threads,
+                                      std::size_t number) {
+  std::vector<int> processors;
+  for (std::size_t k = number; k < available.size(); k += threads) processors.push_back(available[k]);
+  return processors;
+}
+
+std::size_t free_processors() {
+  std::size_t all = available_processors().size();
+  if (all == 0) all = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+  const std::size_t machine = std::max<std::size_t>(std::thread::hardware_concurrency(), all);
+  const auto busy = static_cast<std::size_t>(std::lround(std::max(load(), 0.0)));
+  const std::size_t idle = machine - std::min(busy, machine - 1);
+  return std::min({all, idle, processors_by_quota(quota(), all)});
+}
+
+std::size_t processors_by_quota(std::string_view text, std::size_t processors) {
+  std::uint64_t time = 0;
+  std::uint64_t period = 0;
+  const char* const end = text.data() + text.size();
+  const auto [gap, problem] = std::from_chars(text.data(), end, time);
+  if (problem != std::errc() || gap == end || *gap != ' ') return processors;
+  if (std::from_chars(gap + 1, end, period).ec != std::errc() || period == 0) return processors;
+  return std::clamp<std::size_t>(time / period, 1, processors);
+}
+
+}  // namespace hardball

@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/engine/engine.hpp"
+
+namespace hardball {
+
+template class Engine<CalendarQueue>;
+template class Engine<OrderedQueue>;
+
+}  // namespace hardball

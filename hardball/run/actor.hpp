@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "hardball/geometry/growth.hpp"
+#include "hardball/measure/tally.hpp"
+#include "hardball/world/new_velocity.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// What an actor does to the spheres at a moment.
+struct Action {
+  std::span<const NewVelocity> changes = {};  ///< In the order of ids; valid until the actor acts again.
+  double energy = 0;                 ///< Given to the spheres by these, without an epoch [M L^2 T^-2].
+  std::optional<Growth> epoch = {};  ///< How spheres grow from then on, if that changes.
+};
+
+/// Who acts on a run at times of its own: each time after all contacts that round to the same double as that
+/// time, or an earlier one, and before all others.
+class Actor {
+ public:
+  static constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
+
+  virtual ~Actor() = default;
+
+  /// What it does, for messages: "the thermostat acts".
+  virtual std::string_view deed() const = 0;
+  /// When it acts next; kNever for never.
+  virtual Time next() const = 0;
+  /// What it does at `moment`, which rounds to next(). Cost: that of the actor. Error: likewise.
+  virtual Action act(const World& world, const Tally& tally, const Time& moment) = 0;
+
+  /// After so many more contacts, at least one, it acts even if its time has not come.
+  virtual std::uint64_t contacts_left(const Tally&, std::size_t /*spheres*/) const { return kAnyNumber; }
+  /// To be called when the contacts so far are these, the last at `moment`: if there were enough, next()
+  /// rounds to that.
+  virtual void note_contacts(const Tally&, std::size_t /*spheres*/, const Time& /*moment*/) {}
+  /// Whether what it does depends on sums over the contacts.
+  virtual bool depends_on_sums() const { return false; }
+  /// The energy that the changes of its last action have given to the spheres, if that had an epoch.
+  virtual void note_energy(double /*given*/) {}
+  /// A sphere has been added or removed.
+  virtual void note_added(SphereId, const Time& /*now*/) {}
+  virtual void note_removed(SphereId) {}
+};
+
+}  // namespace hardball

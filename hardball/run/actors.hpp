@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "hardball/growth/growth_schedule.hpp"
+#include "hardball/run/actor.hpp"
+#include "hardball/thermostats/thermostat.hpp"
+
+namespace hardball {
+
+/// A growth, if there is one.
+class GrowthActor final : public Actor {
+ public:
+  std::optional<GrowthSchedule> schedule;
+
+  std::string_view deed() const override { return "an epoch of growth begins"; }
+  Time next() const override { return schedule ? Time(schedule->next()) : kNever; }
+  Action act(const World& world, const Tally& tally, const Time& moment) override;
+  std::uint64_t contacts_left(const Tally& tally, std::size_t spheres) const override;
+  void note_contacts(const Tally& tally, std::size_t spheres, const Time& moment) override;
+  bool depends_on_sums() const override { return schedule && !schedule->is_over(); }
+  void note_energy(double given) override { schedule->note_energy(given); }
+
+ private:
+  std::vector<NewVelocity> changes_;
+};
+
+/// A thermostat, if there is one.
+class ThermostatActor final : public Actor {
+ public:
+  std::optional<Thermostat> thermostat;
+
+  std::string_view deed() const override { return "the thermostat acts"; }
+  Time next() const override { return thermostat ? Time(thermostat->next()) : kNever; }
+  Action act(const World& world, const Tally& tally, const Time& moment) override;
+  void note_added(SphereId sphere, const Time& now) override;
+  void note_removed(SphereId sphere) override;
+};
+
+/// All who act on a run, a new kind of actor included: the one place that knows them by name.
+class Actors {
+ public:
+  GrowthActor growth;
+  ThermostatActor thermostat;
+
+  /// In the order in which they act at the same time.
+  std::array<Actor*, 2> all() { return {&growth, &thermostat}; }
+  std::array<const Actor*, 2> all() const { return {&growth, &thermostat}; }
+
+  /// Who acts next.
+  Actor& next();
+  const Actor& next() const;
+  /// The least number of contacts after which one of them acts.
+  std::uint64_t contacts_left(const Tally& tally, std::size_t spheres) const;
+  /// Whether what they do depends on sums over the contacts.
+  bool depend_on_sums() const;
+  /// A sphere has been added or removed; returns whether they act at other times now.
+  bool note_added(SphereId sphere, const Time& now);
+  bool note_removed(SphereId sphere);
+};
+
+}  // namespace hardball

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/run/engine_manager.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "hardball/domains/domains_engine.hpp"
+#include "hardball/domains/sample.hpp"
+#include "hardball/tuning/size_classes.hpp"
+#include "hardball/world/curve_order.hpp"
+
+namespace hardball {
+namespace {
+
+// Engine and cell edge are reviewed after this many crossings and contacts per sphere.
+constexpr std::uint64_t kEventsPerReview = 8;
+
+// The paper's engine and all pairs would gain nothing from the order of spheres.
+bool gains_from_order(EngineKind engine) {
+  return engine == EngineKind::cells || engine == EngineKind::neighbors;
+}
+
+// As many as pay are found out by each process, and so must be one where there are several.
+std::size_t threads_for(std::size_t wanted, const Processes& processes) {
+  return processes.size() > 1 ? std::max<std::size_t>(wanted, 1) : wanted;
+}
+
+}  // namespace
+
+EngineManager::EngineManager(const EngineOptions& options, Processes& processes, EngineKind kind,
+                             const Counters& counters)
+    : options_(options),
+      processes_(&processes),
+      kind_(kind),
+      counters_before_(counters),
+      watch_(options.unit_costs) {
+  check(options_);
+  options_.threads = threads_for(options.threads, processes);
+}
+
+void EngineManager::prepare(World& world, const Time& now) {
+  kind_ = choose_engine(world, gas_statistics(world, now), options_, now, kind_);
+  if (gains_from_order(kind_)) put_in_order(world, now);
+}
+
+void EngineManager::start(World world, const Time& now, const Progress& progress) {
+  const double length = choose_length(world, gas_statistics(world, now), kind_, options_, now);
+  engine_ = make_engine(std::move(world), kind_, options_, length, now, *processes_, progress);
+  begin(length, now);
+}
+
+void EngineManager::start(World empty, Travelers brought, const Time& now) {
+  std::uint64_t spheres = 0;
+  for (const std::size_t count : processes_->gather(brought.size())) spheres += count;
+  const World sample = sample_of(*processes_, empty, brought, spheres);
+  GasStatistics statistics = gas_statistics(sample, now);
+  statistics.spheres = spheres;
+  kind_ = choose_engine(sample, statistics, options_, now, kind_);
+  const double length = choose_length(sample, statistics, kind_, options_, now);
+  engine_ = std::make_unique<DomainsEngine>(std::move(empty), std::move(brought),
+                                            phase_settings(kind_, options_, length),
+                                            choose_division(sample, options_), now, *processes_);
+  begin(length, now);
+}
+
+void EngineManager::begin(double length, const Time& now) {
+  note_choice(length, now);
+  const Counters done = counters();
+  next_review_ = done.enter + done.contacts() + kEventsPerReview * engine_->size();
+}
+
+void EngineManager::note_choice(double length, const Time& moment) {
+  watch_.restart(length);
+  last_review_ = moment;
+  spheres_at_choice_ = engine_->size();
+}
+
+void EngineManager::end_look_ahead(const Time& moment) {
+  engine_->rewind(moment);
+  engine_->end_journal();
+}
+
+void EngineManager::undo_look_ahead(const Counters& before) {
+  engine_->rewind_to_begin();
+  engine_->end_journal();
+  // An engine that has been replaced meanwhile has not undone its own.
+  const Counters done = counters();
+  counters_before_.collision -= done.collision - before.collision;
+  counters_before_.wall -= done.wall - before.wall;
+}
+
+void EngineManager::make_ready(const Time& now) {
+  const std::size_t spheres = engine_->size();
+  const auto [fewer, more] = std::minmax(spheres, spheres_at_choice_);
+  if (16 * more <= 17 * fewer && !engine_->is_outdated()) return;
+  end_look_ahead(now);
+  rebuild(now);
+}
+
+void EngineManager::review_if_due(const Time& now) {
+  if (engine_->is_outdated()) return;
+  const Counters done = counters();
+  if (done.enter + done.contacts() < next_review_) return;
+  next_review_ = done.enter + done.contacts() + kEventsPerReview * engine_->size();
+  const Time moment = later(now, engine_->now());
+  const GasStatistics statistics = engine_->statistics(moment);
+  const bool is_by_class = kind_ == EngineKind::cells && are_sizes_spread(statistics);
+  if (!are_alike(statistics, reviewed_)) {
+    reviewed_ = statistics;
+    const World& sample = engine_->sample();
+    if (choose_engine(sample, statistics, options_, moment, kind_) != kind_) return rebuild(moment);
+    if (is_by_class && !options_.cell_edge) {
+      constexpr double kEnough = 1.25;
+      const double best = choose_length(sample, statistics, kind_, options_, moment);
+      if (std::max(best / watch_.edge(), watch_.edge() / best) > kEnough) return rebuild(moment);
+    }
+  }
+  const bool has_cells = kind_ == EngineKind::cells || kind_ == EngineKind::paper;
+  if (!has_cells || is_by_class || options_.cell_edge) return;
+  const std::optional<double> better = watch_.update(statistics, duration(last_review_, moment));
+  last_review_ = moment;
+  if (!better) return;
+  engine_->rebuild(moment,
+                   phase_settings(kind_, options_, allowed_cell_edge(engine_->setting(), kind_, *better)));
+}
+
+void EngineManager::rebuild(const Time& moment) {
+  const GasStatistics statistics = engine_->statistics(moment);
+  const World& sample = engine_->sample();
+  const EngineKind kind = choose_engine(sample, statistics, options_, moment, kind_);
+  // Spheres may have grown.
+  const double length =
+      allowed_cell_edge(sample, kind, choose_length(sample, statistics, kind, options_, moment));
+  if (must_be_replaced(*engine_)) {
+    replace(kind, length, moment);
+  } else {
+    engine_->rebuild(moment, phase_settings(kind, options_, length));
+    kind_ = kind;
+  }
+  note_choice(length, moment);
+}
+
+void EngineManager::set_threads(std::size_t wanted, const Time& now) {
+  const std::size_t threads = threads_for(wanted, *processes_);
+  if (threads == options_.threads && !options_.division) return;
+  options_.threads = threads;
+  options_.division.reset();
+  const bool is_divided = engine_->blocks().size() > 1;
+  if (!is_divided && choose_division(engine_->setting(), options_).domains == 1) return;
+  end_look_ahead(now);
+  const Time moment = later(now, engine_->now());
+  const GasStatistics statistics = engine_->statistics(moment);
+  const double length = allowed_cell_edge(
+      engine_->sample(), kind_, choose_length(engine_->sample(), statistics, kind_, options_, moment));
+  replace(kind_, length, moment);
+  note_choice(length, moment);
+}
+
+// Makes an engine for the same world.
+void EngineManager::replace(EngineKind kind, double length, const Time& moment) {
+  counters_before_ = counters();
+  ++counters_before_.rebuilds;
+  windows_before_ = windows();
+  const Aftermath aftermath = engine_->aftermath();
+  engine_ = make_engine(std::move(engine_->world_to_edit()), kind, options_, length, moment, *processes_);
+  engine_->take_over(aftermath);
+  kind_ = kind;
+}
+
+}  // namespace hardball

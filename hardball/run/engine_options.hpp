@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "hardball/domains/division.hpp"
+#include "hardball/errors/export.hpp"
+#include "hardball/interaction/interactions.hpp"
+#include "hardball/kernels/instruction_set.hpp"
+#include "hardball/processes/processes.hpp"
+#include "hardball/tuning/unit_costs.hpp"
+#include "hardball/world/box.hpp"
+
+namespace hardball {
+
+/// How collisions are found. The choice changes the speed and never the motion.
+enum class EngineKind {
+  automatic,  ///< The fastest for the world.
+  cells,      ///< The cell grid.
+  neighbors,  ///< A neighbor list for each sphere; in a box too small for that, the cell grid.
+  all_pairs,  ///< Every sphere against every other: slow, and obviously correct.
+  paper,      ///< The algorithm of the paper to the letter.
+};
+/// By the number of the kind: what users call them.
+inline constexpr std::array<std::string_view, 5> kEngineNames{"auto", "cells", "neighbors", "all-pairs",
+                                                              "paper"};
+
+/// How events are kept in order. The choice changes the speed and never the motion.
+enum class QueueKind {
+  calendar,  ///< Buckets of time.
+  ordered,   ///< A balanced tree.
+};
+
+struct EngineOptions {
+  EngineKind engine = EngineKind::automatic;
+  QueueKind queue = QueueKind::calendar;  ///< The paper's engine has its own.
+  /// Edge of the cells [L], for engines that have them; if absent, chosen by `tuning` and adapted.
+  /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine,
+  /// less than the largest diameter.
+  std::optional<double> cell_edge = {};
+  /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
+  /// are_meaningful.
+  UnitCosts unit_costs = {};
+  /// How many threads work on one system; zero for as many as pay, of which there is one where they cannot
+  /// share the work. Error: more than 1,024; several where spheres merge, the response is a function, there
+  /// are potentials of steps, or the box is sheared.
+  std::size_t threads = 1;
+  /// Instead of `threads`, for tests and measurements: a division into domains.
+  std::optional<Division> division = {};
+  /// Used to compute contact times; if absent, the widest available. Error: not available.
+  std::optional<InstructionSet> instructions = {};
+};
+
+/// Error: options that are valid for no world; see EngineOptions.
+HARDBALL_EXPORT void check(const EngineOptions& options);
+/// Error: more than 1,024 threads are wanted; more than one, or several processes, and the box or what
+/// happens at contacts does not allow that; several processes, and the engine or the queue does not.
+void check_division(const EngineOptions& options, const Processes& processes, const Box& box,
+                    const Interactions& interactions);
+
+}  // namespace hardball

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/run/make_engine.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "hardball/broadphase/neighbor_list.hpp"
+#include "hardball/broadphase/sheared_cells.hpp"
+#include "hardball/domains/domains_engine.hpp"
+#include "hardball/domains/processors.hpp"
+#include "hardball/engine/engine.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
+#include "hardball/paper/paper_engine.hpp"
+#include "hardball/theory/gas_statistics.hpp"
+#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/neighbor_counts.hpp"
+#include "hardball/tuning/size_classes.hpp"
+
+namespace hardball {
+namespace {
+
+// An engine to choose.
+struct Choice {
+  EngineKind kind;
+  PhaseKind phase;
+  // The best length for a world with these statistics, and its predicted cost.
+  BestLength (*best)(const World&, const Time&, const GasStatistics&, const UnitCosts&);
+  bool has_cells;
+};
+
+// All engines.
+constexpr Choice kChoices[] = {
+    {EngineKind::cells, PhaseKind::cells, best_edge, true},
+    {EngineKind::neighbors, PhaseKind::neighbors,
+     [](const World&, const Time&, const GasStatistics& statistics, const UnitCosts& costs) {
+       return best_skin(statistics, costs);
+     },
+     false},
+    {EngineKind::all_pairs, PhaseKind::all_pairs,
+     [](const World&, const Time&, const GasStatistics&, const UnitCosts&) { return BestLength(); }, false},
+    {EngineKind::paper, PhaseKind::cells,
+     [](const World&, const Time&, const GasStatistics& statistics, const UnitCosts& costs) {
+       return best_cell_edge(statistics, costs);
+     },
+     true},
+};
+
+// Precondition: not automatic.
+const Choice& choice(EngineKind kind) {
+  return *std::ranges::find(kChoices, kind, &Choice::kind);
+}
+
+// With fewer spheres, or in two threads, a run with measures may gain nothing: docs/parallel.md.
+Division as_pays(std::size_t spheres) {
+  constexpr std::size_t kFewestSpheres = 1'000'000;
+  constexpr std::size_t kSpheresPerThread = 125'000;
+  constexpr std::size_t kFewestThreads = 4;
+  if (spheres < kFewestSpheres) return {};
+  // Found out once: later the load of the machine contains that of this process.
+  static const std::size_t free = free_processors();
+  const std::size_t threads = std::min(free, spheres / kSpheresPerThread);
+  if (threads < kFewestThreads) return {};
+  return {.domains = threads, .threads = threads};
+}
+
+}  // namespace
+
+Division choose_division(const World& world, const EngineOptions& options) {
+  if (!what_prevents_division(world.box(), world.interactions()).empty()) return {};
+  if (options.division) return *options.division;
+  if (options.threads == 0) return as_pays(world.size());
+  return {.domains = options.threads, .threads = options.threads};
+}
+
+PhaseSettings phase_settings(EngineKind engine, const EngineOptions& options, double length) {
+  return {choice(engine).phase, length, options.instructions.value_or(widest_instruction_set())};
+}
+
+std::unique_ptr<EngineBase> make_engine(World world, EngineKind engine, const EngineOptions& options,
+                                        double length, const Time& now, Processes& processes,
+                                        const Progress& progress) {
+  const PhaseSettings settings = phase_settings(engine, options, length);
+  if (engine == EngineKind::paper) return std::make_unique<PaperEngine>(std::move(world), settings, now);
+  const Division division = choose_division(world, options);
+  const bool is_divided = division.domains > 1 && engine != EngineKind::all_pairs;
+  if (is_divided || processes.size() > 1)
+    return std::make_unique<DomainsEngine>(std::move(world), settings, division, now, processes);
+  if (options.queue == QueueKind::ordered)
+    return std::make_unique<Engine<OrderedQueue>>(std::move(world), settings, now, progress);
+  return std::make_unique<Engine<CalendarQueue>>(std::move(world), settings, now, progress);
+}
+
+bool must_be_replaced(const EngineBase& engine) {
+  const World& setting = engine.setting();
+  return engine.blocks().size() > 1 && !what_prevents_division(setting.box(), setting.interactions()).empty();
+}
+
+void check(const EngineOptions& options) {
+  if (!are_meaningful(options.unit_costs)) {
+    throw Error("a cost is negative or not finite, or predictions or crossings cost nothing", "unit costs",
+                "give those of measure_unit_costs, or leave them out");
+  }
+  if (options.cell_edge) check_positive(*options.cell_edge, "the cell edge", "cell edge");
+}
+
+void check_division(const EngineOptions& options, const Processes& processes, const Box& box,
+                    const Interactions& interactions) {
+  constexpr std::size_t kMostThreads = 1024;
+  if (options.threads > kMostThreads) {
+    throw Error("there are to be " + to_text(options.threads) + " threads", "threads",
+                "give at most " + to_text(kMostThreads) + ", and no more than there are processors");
+  }
+  const std::string hindrance(what_prevents_division(box, interactions));
+  const bool are_several = processes.size() > 1;
+  if (are_several && !hindrance.empty())
+    throw Error("processes cannot share " + hindrance, "processes", "leave it out, or run it in one process");
+  if (are_several && (options.engine == EngineKind::all_pairs || options.engine == EngineKind::paper)) {
+    const auto kind = static_cast<std::size_t>(options.engine);
+    throw Error("the engine " + std::string(kEngineNames[kind]) + " has one process", "engine",
+                "use cells or neighbors, or run it in one process");
+  }
+  if (are_several && options.queue != QueueKind::calendar)
+    throw Error("several processes have no other queue than the calendar", "queue", "leave it out");
+  if (options.threads > 1 && !hindrance.empty()) {
+    throw Error("threads cannot share " + hindrance, "threads", "use one thread, or as many as pay");
+  }
+}
+
+EngineKind choose_engine(const World& world, const GasStatistics& statistics, const EngineOptions& options,
+                         const Time& moment, EngineKind current) {
+  if (options.engine == EngineKind::paper && !PaperEngine::supports(world)) {
+    throw Error(
+        "the paper's engine knows only straight paths, and no images that slide, nor those of obstacles",
+        "engine", "use another engine");
+  }
+  const bool has_lists = NeighborList::supports(world);
+  if (has_lists && options.engine == EngineKind::neighbors) return options.engine;
+  if (options.engine == EngineKind::all_pairs || options.engine == EngineKind::paper) return options.engine;
+  if (world.box().is_sheared() &&
+      !ShearedCells::supports(world, options.cell_edge.value_or(world.largest_radius()))) {
+    return has_lists && options.engine != EngineKind::cells ? EngineKind::neighbors : EngineKind::all_pairs;
+  }
+  if (options.engine != EngineKind::automatic || options.cell_edge || !has_lists) return EngineKind::cells;
+  const auto cost_of = [&](EngineKind kind) {
+    // Cells that slide cost more than those at rest, which the models are of; measured: docs/theory.md.
+    constexpr double kCostOfSlidingCells = 1.05;
+    const bool slides = kind == EngineKind::cells && world.box().is_sheared();
+    return (slides ? kCostOfSlidingCells : 1) *
+           choice(kind).best(world, moment, statistics, options.unit_costs).cost;
+  };
+  const EngineKind used = current == EngineKind::neighbors ? EngineKind::neighbors : EngineKind::cells;
+  const EngineKind other = used == EngineKind::cells ? EngineKind::neighbors : EngineKind::cells;
+  const double surpass = current == EngineKind::automatic ? 1 : 0.9;
+  return cost_of(other) < surpass * cost_of(used) ? other : used;
+}
+
+double choose_length(const World& world, const GasStatistics& statistics, EngineKind engine,
+                     const EngineOptions& options, const Time& moment) {
+  const Choice& chosen = choice(engine);
+  if (chosen.has_cells && options.cell_edge) return *options.cell_edge;
+  const BestLength best = chosen.best(world, moment, statistics, options.unit_costs);
+  return allowed_cell_edge(world, engine, best.length);
+}
+
+double allowed_cell_edge(const World& world, EngineKind engine, double edge) {
+  return engine == EngineKind::paper ? std::max(edge, PaperEngine::least_edge(world)) : edge;
+}
+
+}  // namespace hardball

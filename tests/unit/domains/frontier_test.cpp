@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/domains/frontier.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "hardball/domains/comparison.hpp"
+#include "hardball/numbers/random.hpp"
+#include "support/effort.hpp"
+
+namespace hardball::frontier_test {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Times are rounded down.
+constexpr double kRounding = 1e-8;
+
+// Two blocks that meet at x = 5, with halos of depth two; spheres touch at distance one.
+class FrontierTest : public testing::Test {
+ protected:
+  // An own sphere of the first that crosses the frontier from x = 3 at time zero to x = 7 at time two.
+  static constexpr Leg kLeg{.begin = 0, .end = 2, .end_position = {7, 2, 2}, .end_velocity = {2, 0, 0}};
+
+  Box box_ = Box::walls({10, 4, 4});
+  Halo halo_{.depth = 2, .slack = 0.5, .contact = 1};
+  Partition partition_ = Partition::grid(box_, {2, 1, 1}, {});
+  Frontier first_{partition_, 0, halo_, Motion()};
+  Frontier second_{partition_, 1, halo_, Motion()};
+  std::vector<Outbox> outboxes_ = std::vector<Outbox>(1);
+};
+
+TEST_F(FrontierTest, KnowsSinceWhenASphereMayHaveMetOneNotHeld) {
+  first_.begin(0);
+  EXPECT_EQ(first_.far_since(), kInfinity);
+  first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
+  EXPECT_NEAR(first_.far_since(), 1.5, kRounding);
+  EXPECT_LT(first_.far_since(), 1.5);
+  EXPECT_EQ(first_.excursion(), 2);
+  first_.begin(1.75);
+  first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
+  EXPECT_EQ(first_.far_since(), 1.75) << "from the start of the window on";
+}
+
+TEST_F(FrontierTest, TellsOfNewcomersThoseWhoDoNotHoldThem) {
+  first_.begin(0);
+  second_.begin(0);
+  first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
+  EXPECT_TRUE(outboxes_[0].flights.empty());
+  first_.note(kLeg, first_.distances(kLeg.end_position), 0, outboxes_);
+  ASSERT_EQ(outboxes_[0].flights.size(), 1U);
+  const Flight& flight = outboxes_[0].flights.front();
+  EXPECT_NEAR(second_.time_within_guard(flight), 0.5, kRounding);
+  EXPECT_LT(second_.time_within_guard(flight), 0.5);
+  // An own sphere that has been half a unit outside may have met it earlier.
+  std::vector<Outbox> others(1);
+  const Leg out{.begin = 0, .end = 2, .end_position = {4.5, 2, 2}, .end_velocity = {}};
+  second_.note(out, second_.distances(out.end_position), 1, others);
+  EXPECT_NEAR(second_.time_within_guard(flight), 0.25, kRounding);
+}
+
+TEST_F(FrontierTest, DoesNotTellOfSpheresThatStayAway) {
+  first_.begin(0);
+  const Leg leg{.begin = 0, .end = 2, .end_position = {2.5, 2, 2}, .end_velocity = {1, 0, 0}};
+  first_.note(leg, first_.distances(leg.end_position), 0, outboxes_);
+  EXPECT_TRUE(outboxes_[0].flights.empty());
+}
+
+// A box of random boundaries, its partition, and a leg that may go around the box several times.
+struct RandomLeg {
+  explicit RandomLeg(std::uint64_t seed) : random(seed) {
+    std::array<Boundary, kAxes> boundary;
+    Vec3 size;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      boundary[axis] = random.uniform() < 0.7 ? Boundary::periodic : Boundary::open;
+      size[axis] = 4 + 12 * random.uniform();
+    }
+    box = Box(boundary, size);
+    std::vector<Vec3> centers(64);
+    for (Vec3& center : centers) center = random_place(size);
+    partition = Partition::bisection(box, 2 + random.bits() % 7, centers);
+    halo.depth = 0.5 + 2 * random.uniform();
+    halo.slack = 0.25;
+    halo.contact = halo.depth * random.uniform();
+    if (random.uniform() < 0.3) motion = Motion(0.5 * random.direction());
+    leg.end = std::exp2(-3 + 6 * random.uniform());
+    leg.end_position = random_place(size);
+    leg.end_velocity = 4 * random.uniform() * random.direction();
+  }
+
+  Vec3 random_place(const Vec3& size) {
+    return {size.x * random.uniform(), size.y * random.uniform(), size.z * random.uniform()};
+  }
+  Vec3 position(double time) const {
+    const double wait = leg.end - time;
+    Vec3 place = leg.end_position - wait * (leg.end_velocity - (0.5 * wait) * motion.gravity());
+    box.fold(place);
+    return place;
+  }
+
+  Random random;
+  Box box = Box::periodic({1, 1, 1});
+  Partition partition = Partition::grid(box, {1, 1, 1}, {});
+  Halo halo;
+  Motion motion;
+  Leg leg;
+};
+
+// Many points of a leg, one by one.
+TEST(Frontier, MissesNothingOnLegsOfAnyLength) {
+  constexpr double kError = 1e-9;
+  constexpr int kPoints = 500;
+  std::uint64_t far = 0;
+  std::uint64_t newcomers = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(10000); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomLeg made(seed);
+    const auto own = static_cast<DomainNumber>(made.random.bits() % made.partition.size());
+    Frontier frontier(made.partition, own, made.halo, made.motion);
+    const std::vector<DomainNumber>& neighbors = frontier.neighbors();
+    const auto holders = static_cast<NeighborSet>(made.random.bits());
+    std::vector<Outbox> outboxes(neighbors.size());
+    frontier.begin(0);
+    frontier.note(made.leg, frontier.distances(made.leg.end_position), holders, outboxes);
+    std::vector<Frontier> others;
+    for (const DomainNumber neighbor : neighbors) {
+      others.emplace_back(made.partition, neighbor, made.halo, made.motion).begin(0);
+    }
+    for (int point = 0; point <= kPoints; ++point) {
+      const double time = made.leg.end * point / kPoints;
+      const Vec3 place = made.position(time);
+      const double outside = frontier.block().distance(place);
+      ASSERT_LE(outside, std::max(0.0, frontier.excursion()) + kError);
+      if (outside > made.halo.farthest() + kError) {
+        ASSERT_LE(frontier.far_since(), time);
+        ++far;
+      }
+      if (frontier.far_since() <= time) break;
+      for (std::size_t k = 0; k < neighbors.size(); ++k) {
+        if ((holders >> k & 1) != 0) continue;
+        if (others[k].block().distance(place) > others[k].guard() - kError) continue;
+        ASSERT_FALSE(outboxes[k].flights.empty());
+        ASSERT_LE(others[k].time_within_guard(outboxes[k].flights.front()), time);
+        ++newcomers;
+      }
+    }
+  }
+  EXPECT_GT(far, support::cases(10000) / 10);
+  EXPECT_GT(newcomers, support::cases(10000) / 10);
+}
+
+// The later of the moments at which two spheres began to differ, if their cubes come within a contact.
+TEST(TimeOfDoubt, IsThatOfTwoSpheresThatMayHaveMet) {
+  const Box box = Box::periodic({10, 10, 10});
+  const Halo halo{.depth = 2, .slack = 0.5, .contact = 1};
+  const std::vector<Doubt> own{{.since = 3, .center = {0.5, 5, 5}, .extent = 0.25}};
+  const auto time = [&](double x, double since) {
+    return time_of_doubt(box, halo, own, std::vector<Doubt>{{since, {x, 5, 5}, 0.5}});
+  };
+  EXPECT_EQ(time(2.25, 1), 3);
+  EXPECT_EQ(time(2.25, 4), 4);
+  EXPECT_EQ(time(2.26, 4), kInfinity);
+  EXPECT_EQ(time(8.75, 4), 4) << "across the end of the period";
+  EXPECT_EQ(time(8.74, 4), kInfinity);
+  EXPECT_EQ(time_of_doubt(box, halo, own, {}), kInfinity);
+}
+
+}  // namespace
+}  // namespace hardball::frontier_test
