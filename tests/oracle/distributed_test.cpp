@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/measure/measures.hpp"
 #include "hardball/processes/bytes.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"
@@ -265,6 +266,25 @@ TEST(DistributedGas, HasTheThermostatOfOneProcess) {
     support::in_processes(
         2, [&](Processes& processes) { run(Simulation::load(states[1].save(), "state", processes), 2, 2); });
   }
+}
+
+// A system that is too large for one process.
+TEST(DistributedGas, HoldsAllSpheresOnlyWhereSomebodyAsks) {
+  const World world = support::make_gas({.count = 400, .packing_fraction = 0.2, .seed = 8});
+  Simulation expected(world);
+  expected.run_until(0.3);
+  support::in_processes(2, [&](Processes& processes) {
+    Simulation simulation = start(processes, world);
+    Measures none({.names = {}});
+    simulation.run_until(0.3, none);
+    EXPECT_EQ(simulation.totals().kinetic_energy.value(), expected.world().kinetic_energy(expected.now()));
+    EXPECT_TRUE(simulation.audit().is_sound());
+    static_cast<void>(simulation.save_without_spheres());
+    static_cast<void>(simulation.own_blocks());
+    EXPECT_EQ(simulation.setting().size(), 0U);
+    EXPECT_EQ(simulation.positions(), expected.positions());
+    EXPECT_EQ(simulation.setting().size(), world.size());
+  });
 }
 
 // The first process is asked.
