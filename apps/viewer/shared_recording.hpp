@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "hardball/world/block.hpp"
 #include "hardball/engine/window_counters.hpp"
 #include "hardball/recording/recording_reader.hpp"
+#include "hardball/world/block.hpp"
 
 namespace hardball::viewer {
 
