@@ -61,7 +61,8 @@ class Cluster {
   Load load() const;
   /// Up to which all has happened [T].
   double committed() const { return committed_; }
-  /// The same, with the last of the events that round to it. Cost: O(domains), and a message to each process.
+  /// The time of the last event, which rounds to committed(). Cost: O(domains), and a message to each
+  /// process.
   Time now() const;
   /// Whether all events that round to committed() have happened, too.
   bool is_complete() const { return is_complete_; }

@@ -57,7 +57,7 @@ class Domain {
         engine_(residents_of(whole, owners, now), phase_, now) {}
 
   DomainNumber number() const { return number_; }
-  /// Of the window, or of the next.
+  /// The begin of the window, or of the next.
   const Time& begin() const { return begin_; }
   const std::vector<DomainNumber>& neighbors() const { return frontier_.neighbors(); }
   const Engine& engine() const { return engine_; }
@@ -81,14 +81,14 @@ class Domain {
   /// What it tells a neighbor, by the number of the domain.
   const Outbox& outbox_to(DomainNumber neighbor) const { return outboxes_[neighbor_number(neighbor)]; }
 
-  /// Of the contacts that count, in the windows committed since `clear_sums`, if they are added up.
+  /// Sums over this domain's own contacts in all windows committed since clear_sums(), if they are added up.
   const ContactSums& sums() const { return is_adding_ ? sums_before_ : sums_; }
   /// Begins to add up with empty sums.
   void clear_sums(const ContactSums& empty) {
     sums_ = empty;
     is_adding_ = false;
   }
-  /// Of this window, the contacts of own spheres, if they are kept.
+  /// The contacts of own spheres in this window, if they are kept.
   std::span<const LoggedContact> log() const { return log_; }
   /// What becomes of the contacts of the next windows: whether they are kept in a log, and added up.
   void keep_log(bool is_kept, bool is_summed) {
@@ -141,7 +141,8 @@ class Domain {
 
   /// Compares the window with the neighbors', and returns a time before which it is right; see Comparison.
   double verify(std::span<const Outbox* const> inboxes, double until);
-  /// The same for what both a neighbor and this domain doubt. Precondition: all have verified.
+  /// A time before which the window is right, as far as a neighbor and this domain both doubt where spheres
+  /// are. Precondition: all have verified.
   double doubtful_since(std::span<const Outbox* const> inboxes) const;
 
   /// Checks who owns and holds each own sphere; throws BrokenInvariant. Precondition: no window is under way.

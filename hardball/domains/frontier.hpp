@@ -62,12 +62,12 @@ class Frontier {
     }
   }
 
-  /// Of the domain, in the order of numbers: those whose blocks are in Halo::neighborhood.
+  /// The neighbors of the domain, in the order of numbers: those whose blocks are in Halo::neighborhood.
   const std::vector<DomainNumber>& neighbors() const { return neighbors_; }
-  /// Of the domain.
+  /// The block of the domain.
   const Block& block() const { return block_; }
   const Halo& halo() const { return halo_; }
-  /// Of a point inside the box. Cost: O(neighbors).
+  /// How far a point inside the box is from the block and those of the neighbors. Cost: O(neighbors).
   Distances distances(const Vec3& point) const {
     Distances distances;
     distances.own = block_.distance(point);
@@ -84,7 +84,7 @@ class Frontier {
     }
     return holders;
   }
-  /// The same for a sphere that nobody holds yet.
+  /// The neighbors that are to hold a sphere at this point that nobody holds yet.
   NeighborSet holders_at(const Vec3& point) const {
     return block_.distance(point) < -halo_.outer() ? 0 : holders_at(distances(point), 0);
   }

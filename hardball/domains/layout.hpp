@@ -22,8 +22,8 @@ namespace hardball {
 /// a system decide alike.
 class Layout {
  public:
-  /// Of as many domains in each of so many processes as a division says. Precondition: neither number is
-  /// zero.
+  /// A layout of as many domains in each of so many processes as a division says. Precondition: neither
+  /// number is zero.
   explicit Layout(const Division& division, std::size_t processes = 1)
       : division_(division), processes_(processes) {}
 

@@ -69,7 +69,7 @@ class Residents {
   void prefetch(Slot slot) const { hardball::prefetch(roles_.data() + slot); }
   /// The number of a ghost, which stays the same.
   std::uint32_t ghost_number(Slot slot) const { return roles_[slot] & ~kGhost; }
-  /// The same of a sphere by id; IdMap::kNone if it is no ghost.
+  /// The number of a ghost by the id of the sphere; IdMap::kNone if it is no ghost.
   std::uint32_t find_ghost(SphereId sphere) const { return numbers_.find(sphere); }
   void prefetch_ghost(std::uint32_t number) const { hardball::prefetch(&ghosts_[number]); }
   const Ghost& ghost(std::uint32_t number) const { return ghosts_[number]; }

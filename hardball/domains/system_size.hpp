@@ -20,7 +20,7 @@ struct SystemSize {
   double speeds = 0;   ///< Their sum [L/T].
   double contact = 0;  ///< The largest distance of two centers at a contact [L].
 
-  /// Of the spheres of a world as they are at `moment`. Cost: O(n).
+  /// The size of a world as it is at `moment`. Cost: O(n).
   static SystemSize of(const World& world, const Time& moment) {
     SystemSize size{.spheres = world.size(),
                     .contact = 2 * world.largest_bounding_radius() * world.room_to_grow()};

@@ -29,7 +29,7 @@ class ThreadTeam {
   /// Calls work(k) for each k below `count`, and returns when all have returned. Precondition: `work` does
   /// not throw.
   void for_each(std::size_t count, const Function<void(std::size_t)>& work);
-  /// The same as a function, which the team must outlive.
+  /// for_each as a function, which the team must outlive.
   ForEach as_function() {
     return [this](std::size_t count, const Function<void(std::size_t)>& work) { for_each(count, work); };
   }

@@ -25,7 +25,8 @@ void check_bounds([[maybe_unused]] const Forecast& forecast, [[maybe_unused]] co
   }
 }
 
-/// The same with those that are inside of a step with it.
+/// Compares the bounds of a sphere's events with those that are inside of a step with it, in validating
+/// builds; throws BrokenInvariant.
 template <class Forecast>
 void check_bounds([[maybe_unused]] const Forecast& forecast, [[maybe_unused]] const StepCandidates& pairs,
                   [[maybe_unused]] const BoundedContacts& found) {

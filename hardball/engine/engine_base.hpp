@@ -48,7 +48,7 @@ class EngineBase {
   virtual Time now() const = 0;
   virtual Counters counters() const = 0;
   virtual WindowCounters windows() const { return {}; }
-  /// Of all processes.
+  /// The memory of all processes [bytes].
   virtual std::size_t memory_bytes() const = 0;
   virtual PhaseLengths lengths() const = 0;
   /// The parts of the box in which domains are; one, all of the box, without domains.

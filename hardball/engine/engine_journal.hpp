@@ -40,7 +40,7 @@ class EngineJournal {
   }
   /// Whether it is possible to go back to `moment` by what has been noted.
   bool reaches(const Time& moment) const { return is_kept_ && begin_ <= moment && !(last_rebuild_ > moment); }
-  /// The same for all of it.
+  /// Whether all of the journal can be undone so.
   bool reaches_begin() const { return is_kept_ && last_rebuild_ == kLongAgo; }
   const Time& begin_time() const { return begin_; }
 

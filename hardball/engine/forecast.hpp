@@ -28,7 +28,8 @@ namespace hardball {
 /// A world, and what comes next for each of its spheres: the plans, which are also the event table of the
 /// queue.
 ///
-/// Of any two candidates, the one that predicted last answers for their contact. A bound is refined, replaced
+/// Whenever a path or region changes, that sphere predicts its contacts with all of its candidates again, so
+/// the one of a pair that predicted last answers for their contact. A bound is refined, replaced
 /// by the exact contact, when it is about to come; if its contact is not before the time until which all
 /// others are excluded, all contacts of the sphere are computed exactly. A planned contact whose partner's
 /// path has changed since is stale, and the sphere predicts again. Whoever changes a plan schedules the
@@ -56,7 +57,7 @@ class Forecast {
   /// The time up to which all events have been handled.
   const Time& now() const { return now_; }
   void advance(const Time& moment) { now_ = moment; }
-  /// Of predictions only.
+  /// The counters of predictions, and no others.
   const Counters& counters() const { return counters_; }
   std::size_t memory_bytes() const {
     return world_.memory_bytes() + phase_->memory_bytes() + compact_.memory_bytes() +
@@ -185,7 +186,7 @@ class Forecast {
     plan_crossing(slot);
   }
 
-  /// The same for two spheres. Both are bounded first: the processor works on them at once.
+  /// Predicts two spheres as `predict` does one. Both are bounded first: the processor works on them at once.
   void predict_both(Slot a, Slot b) {
     if (!uses_minimum_image_ || !bound_watch_.pays()) [[unlikely]] {
       predict(a);

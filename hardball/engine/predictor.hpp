@@ -73,12 +73,12 @@ inline const Vec3* gravity_of(const World& world) {
   return world.motion().is_straight() ? nullptr : &world.motion().gravity();
 }
 
-/// The same of growth: null if radii are base radii.
+/// What the kernels need of growth: null if radii are base radii.
 inline const Growth* growth_of(const World& world) {
   return world.motion().has_growth() ? &world.motion().growth() : nullptr;
 }
 
-/// The same of images that slide: null if they rest.
+/// What the kernels need of images that slide: null if they rest.
 inline const SlidingImages* sliding_images_of(const World& world) {
   return world.box().is_sheared() ? &world.box().images() : nullptr;
 }
@@ -164,7 +164,7 @@ class Predictor {
     return contacts_of(keys, copies, candidates, base);
   }
 
-  /// The same for two spheres, which takes less than one by one.
+  /// The bounds of the contacts of two spheres, which takes less than one by one.
   HARDBALL_ALWAYS_INLINE std::array<BoundedContacts, 2> bound(const CompactPaths& copies,
                                                               const Candidates& one, const Candidates& other,
                                                               const Time& now) const {

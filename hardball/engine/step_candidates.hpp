@@ -41,7 +41,7 @@ class StepCandidates {
     });
   }
 
-  /// The same for bounds: inwards rounded up, outwards rounded down.
+  /// Finds these distances for bounds: inwards rounded up, outwards rounded down.
   void find_distances_for_bounds(const World& world, const CompactPaths& copies) {
     constexpr double kRounding = 0x1p-22;
     const double up = (1 + kRounding) / copies.length_unit();

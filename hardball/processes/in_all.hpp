@@ -13,7 +13,8 @@ namespace hardball {
 /// processes that of the first, by rank, in which it has failed; only of the types Error and RunFailure.
 void in_all(Processes& processes, const Function<void()>& work);
 
-/// The same for what only the first process does.
+/// Does what only the first process is to do, and returns when it has succeeded. Error: in all processes that
+/// of the first.
 void in_first(Processes& processes, const Function<void()>& work);
 
 /// Error, in all processes: one of them has other bytes than the first. `what` names them in the message, as

@@ -37,11 +37,11 @@ class EngineManager {
 
   EngineBase& engine() { return *engine_; }
   const EngineBase& engine() const { return *engine_; }
-  /// Of the engine in use, never `automatic`.
+  /// The kind of the engine in use, never `automatic`.
   EngineKind kind() const { return kind_; }
   const EngineOptions& options() const { return options_; }
   Processes& processes() const { return *processes_; }
-  /// Of all engines so far.
+  /// The counters of all engines so far.
   Counters counters() const { return counters_before_ + engine_->counters(); }
   /// The windows of all engines so far.
   WindowCounters windows() const { return windows_before_ + engine_->windows(); }

@@ -98,8 +98,9 @@ class HARDBALL_EXPORT Simulation {
   /// the bodies still approach with the velocities returned; a velocity is not finite or exceeds 1e60; the
   /// response runs or edits the simulation. The contact has then not happened.
   void respond_with(Function<Velocities(const Contact&)> response);
-  /// The same, for a response that changes spins, or merges spheres. It is also asked whether a sphere that
-  /// has merged also merges with those that it overlaps, which may recede; if not, its result is ignored.
+  /// Replaces the response by one that changes spins, or merges spheres. It is also asked whether a sphere
+  /// that has merged also merges with those that it overlaps, which may recede; if not, its result is
+  /// ignored.
   void respond_with(Function<Outcome(const Contact&)> response);
   /// Replaces the response of the world permanently: unlike functions, a table is saved. Spheres that pass
   /// through each other continue to do so. Error: other species pass in the table.
@@ -131,7 +132,7 @@ class HARDBALL_EXPORT Simulation {
   /// Runs to `time` [T], events at that time included. Error: `time` is in the past, NaN, or finite and
   /// beyond 1e120.
   void run_until(double time) { run({.until = Time(time)}); }
-  /// The same, and takes `measures`; see Measures.
+  /// Runs to `time` [T], and takes `measures`; see Measures.
   void run_until(double time, Measures& measures) { run({.until = Time(time)}, measures); }
   /// Runs until `count` contacts have happened, but not beyond `until` [T]; returns how many happened. If
   /// spheres may never meet again, in open space or a periodic box, give a finite time. The operating range
@@ -139,8 +140,8 @@ class HARDBALL_EXPORT Simulation {
   std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
   /// Runs until the first of the limits is reached. Error: RunLimits::until, as for run_until.
   RunStatus run(const RunLimits& limits) { return run_with(limits, nullptr); }
-  /// The same, and takes `measures`. Error: spheres have been added or removed since the measures began, or
-  /// merge.
+  /// Runs until the first of the limits is reached, and takes `measures`. Error: spheres have been added or
+  /// removed since the measures began, or merge.
   RunStatus run(const RunLimits& limits, Measures& measures);
 
   /// The next collision or wall contact up to `until` [T], without executing it. In a periodic box spheres
@@ -159,7 +160,7 @@ class HARDBALL_EXPORT Simulation {
   std::optional<NextContact> first_contact(SphereId id, const Vec3& velocity, double until) const {
     return hardball::first_contact(world(), now_, id, velocity, Time(until));
   }
-  /// The same for a sphere that is not among them.
+  /// What a sphere that is not among them would hit first up to `until` [T].
   std::optional<NextContact> first_contact(const Sphere& sphere, double until) const {
     return hardball::first_contact(world(), now_, sphere, Time(until));
   }
@@ -189,10 +190,11 @@ class HARDBALL_EXPORT Simulation {
   /// Changes the velocity of a sphere [L/T], now. Error: no such sphere; a number that is NaN, infinite or
   /// out of range. Cost: that of a collision; when it follows next_contact or positions_at, as of these.
   void change_velocity(SphereId id, const Vec3& velocity);
-  /// The same for many, in the order of ids, whatever their order here; on an Error, none is changed.
+  /// Changes many velocities, in the order of ids, whatever their order here; on an Error, none is changed.
   /// Error: as for one; a sphere is given twice. Cost: at most that of as many collisions.
   void change_velocities(std::span<const VelocityEdit> edits);
-  /// The same between runs with `measures`, which treat it as the action of a thermostat; see Measures.
+  /// Changes many velocities between runs with `measures`, which treat it as the action of a thermostat; see
+  /// Measures.
   void change_velocities(std::span<const VelocityEdit> edits, Measures& measures);
   /// Adds a sphere, now. Cost: that of a collision, amortized; O(n) for the first of a larger radius than all
   /// others. Error: spheres grow; see World::add; it overlaps another sphere.
