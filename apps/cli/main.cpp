@@ -3,10 +3,13 @@
 
 // The program hardball: finds every collision among moving spheres.
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include "apps/cli/command_line.hpp"
 #include "apps/cli/commands.hpp"
@@ -106,11 +109,20 @@ ExitCode run_in_processes(int argument_count, char** arguments, MpiProcesses& pr
   processes.abort(static_cast<int>(end.code));
 }
 
+// Where the plug-in for MPI may be: beside the program in a build folder, among the libraries where it is
+// installed.
+std::vector<std::filesystem::path> plugin_folders() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::canonical("/proc/self/exe", error);
+  if (error) return {};
+  return {program.parent_path(), program.parent_path() / HARDBALL_PLUGIN_FOLDER};
+}
+
 ExitCode run_as_launched(int argument_count, char** arguments) {
   std::unique_ptr<MpiProcesses> processes;
   std::optional<Error> refusal;
   try {
-    processes = MpiProcesses::join_others();
+    processes = MpiProcesses::join_others(plugin_folders(), "./dev mpi");
   } catch (const Error& error) {
     refusal = error;
   }

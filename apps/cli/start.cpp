@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -12,16 +11,13 @@
 #include "apps/cli/progress.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/unit_costs.hpp"
-#include "hardball/archive/archive.hpp"
-#include "hardball/domains/traveler.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
-#include "hardball/io/read_file.hpp"
 #include "hardball/processes/in_all.hpp"
 #include "hardball/run/make_engine.hpp"
 #include "hardball/scenario/make_simulation.hpp"
-#include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/nearest_name.hpp"
+#include "hardball/scenario/shared_scenario.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
@@ -53,37 +49,11 @@ bool is_worth_measuring(const World& start, const Scenario& scenario) {
   return rate * static_cast<double>(start.size()) * *scenario.until > kLong;
 }
 
-// The contents of the files that a scenario names.
-std::string named_files(const Scenario& scenario) {
-  std::string contents;
-  const auto add = [&](const std::filesystem::path& file) { contents += archived(read_file(file)); };
-  if (scenario.start_file) add(*scenario.start_file);
-  for (const SphereGroup& group : scenario.spheres) {
-    if (group.distribution && !group.distribution->file.empty()) add(group.distribution->file);
-  }
-  for (const auto& bond : scenario.bonds) {
-    if (bond.file) add(*bond.file);
-  }
-  return contents;
-}
-
 // Those of the first process: each would measure others.
 UnitCosts shared_unit_costs(const std::string& choice, Processes& processes) {
   UnitCosts costs;
   in_first(processes, [&] { costs = read_unit_costs(choice); });
   return processes.of_first(costs);
-}
-
-// The start of a scenario, or of several processes every so many-th sphere of it.
-World make_start(const Scenario& scenario, const Processes& processes, const OnProgress& on_progress,
-                 const OnNote& on_note) {
-  if (processes.size() == 1) return make_world(scenario, on_progress, on_note);
-  Travelers brought;
-  World part = make_part(
-      scenario, [&](SphereId id) { return id % processes.size() == processes.rank(); },
-      [&](const SphereState& state) { brought.push_back({state}); }, on_progress, on_note);
-  insert(std::move(brought), part, [](const Traveler&) {});
-  return part;
 }
 
 }  // namespace
@@ -123,11 +93,7 @@ Scenario changed_by(const ScenarioChoice& choice, Scenario scenario) {
 Scenario read_shared_scenario(const ScenarioChoice& choice, Processes& processes) {
   Scenario scenario;
   in_all(processes, [&] { scenario = read_scenario(choice); });
-  if (processes.size() == 1) return scenario;
-  require_same(processes, scenario.text, "scenario");
-  std::string files;
-  in_all(processes, [&] { files = named_files(scenario); });
-  require_same(processes, files, "start file, or other file that the scenario names,");
+  require_same_scenario(scenario, processes);
   return scenario;
 }
 
@@ -181,7 +147,7 @@ Start set_up(const EngineChoice& choice, const Scenario& scenario, bool is_quiet
   constexpr double kWorldMade = 0.5;  // the fraction of the work that this takes
   SetUpProgress progress(processes.is_first() && !is_quiet);
   std::vector<std::string> notes;
-  World world = make_start(scenario, processes, progress.part(0, kWorldMade),
+  World world = make_share(scenario, processes, progress.part(0, kWorldMade),
                            [&](const std::string& note) { notes.push_back(note); });
   const EngineOptions engine_options = read_engine_options(choice, scenario, world, processes);
   return {

@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <cstdlib>
-#include <filesystem>
 #include <optional>
 #include <system_error>
 
@@ -50,39 +49,37 @@ std::optional<Sign> sign_of_several() {
       sign.name, remedy + ", or unset " + variables);
 }
 
-// Where the plug-in is: beside the program in a build folder, among the libraries where it is installed.
-std::optional<fs::path> plugin_path() {
+std::optional<fs::path> plugin_path(std::span<const fs::path> folders) {
   std::error_code error;
-  const fs::path program = fs::canonical("/proc/self/exe", error);
-  if (error) return {};
-  for (const char* const folder : {".", HARDBALL_PLUGIN_FOLDER}) {
-    const fs::path path = (program.parent_path() / folder / HARDBALL_PLUGIN_NAME).lexically_normal();
+  for (const fs::path& folder : folders) {
+    const fs::path path = (folder / HARDBALL_PLUGIN_NAME).lexically_normal();
     if (fs::exists(path, error)) return path;
   }
   return {};
 }
 
-const MpiPlugin& load_plugin(const Sign& sign) {
-  const std::optional<fs::path> path = plugin_path();
+const MpiPlugin& load_plugin(std::span<const fs::path> folders, const std::string& build_command,
+                             const Sign& sign) {
+  const std::optional<fs::path> path = plugin_path(folders);
   if (!path) {
-    refuse_copies(
-        sign, "there is no plug-in for MPI, " HARDBALL_PLUGIN_NAME,
-        "run ./dev mpi, which installs Open MPI (libopenmpi-dev and openmpi-bin in Debian) and builds "
-        "the plug-in");
+    refuse_copies(sign, "there is no plug-in for MPI, " HARDBALL_PLUGIN_NAME,
+                  "run " + build_command +
+                      ", which installs Open MPI (libopenmpi-dev and openmpi-bin in Debian) and builds the "
+                      "plug-in");
   }
   // Open MPI loads plug-ins of its own, which look for its functions among those of the whole program.
   void* const library = dlopen(path->c_str(), RTLD_NOW | RTLD_GLOBAL);
   void* const symbol = library ? dlsym(library, kMpiPluginSymbol) : nullptr;
   if (!symbol) {
     refuse_copies(sign, "the plug-in for MPI cannot be loaded (" + std::string(dlerror()) + ")",
-                  "install Open MPI (openmpi-bin in Debian), or build the plug-in with ./dev mpi");
+                  "install Open MPI (openmpi-bin in Debian), or build the plug-in with " + build_command);
   }
   const MpiPlugin& plugin = *reinterpret_cast<GetMpiPlugin*>(symbol)();
   if (plugin.version != kMpiPluginVersion) {
     refuse_copies(sign,
                   path->string() + " has version " + to_text(plugin.version) +
                       ", and the program needs version " + to_text(kMpiPluginVersion),
-                  "build both from the same source, as ./dev mpi does");
+                  "build both from the same source, as " + build_command + " does");
   }
   return plugin;
 }
@@ -93,10 +90,11 @@ void require_success(const char* failure, const char* what) {
 
 }  // namespace
 
-std::unique_ptr<MpiProcesses> MpiProcesses::join_others() {
+std::unique_ptr<MpiProcesses> MpiProcesses::join_others(std::span<const fs::path> folders,
+                                                        const std::string& build_command) {
   const std::optional<Sign> sign = sign_of_several();
   if (!sign) return nullptr;
-  const MpiPlugin& plugin = load_plugin(*sign);
+  const MpiPlugin& plugin = load_plugin(folders, build_command, *sign);
   auto processes = std::make_unique<MpiProcesses>(plugin);
   if (processes->size() > 1) return processes;
   if (sign->count > 1) {
@@ -113,6 +111,7 @@ MpiProcesses::MpiProcesses(const MpiPlugin& plugin) : plugin_(plugin) {
 
 std::vector<std::string> MpiProcesses::exchange(std::span<const std::size_t> peers,
                                                 std::span<const std::string> outgoing) {
+  check_thread();
   const std::size_t count = peers.size();
   std::vector<MpiMessage> messages(count);
   const auto exchange_messages = [&] {
@@ -149,7 +148,14 @@ void MpiProcesses::abort(int code) {
 }
 
 void MpiProcesses::gather_bytes(const void* own, std::size_t bytes, void* all) {
+  check_thread();
   require_success(plugin_.gather(own, bytes, all), "gather");
+}
+
+void MpiProcesses::check_thread() const {
+  if (thread_ == std::this_thread::get_id()) return;
+  throw Error("another thread than the one that joined the processes uses what they share",
+              "several processes", "use it in the thread that joined them");
 }
 
 }  // namespace hardball

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "apps/mpi/plugin.hpp"
@@ -14,13 +16,16 @@
 namespace hardball {
 
 /// The processes that mpirun has started, which find each other by the plug-in for MPI. One object for the
-/// whole life of a program. All functions raise RunFailure where MPI fails.
+/// whole life of a program. All functions raise RunFailure where MPI fails. Error: messages are exchanged by
+/// another thread than the one that made the object.
 class MpiProcesses final : public Processes {
  public:
   /// Loads the plug-in and joins the others if the environment says that mpirun has started several processes
-  /// of this program; null if this one is alone. Error: there are several, and the plug-in is missing, cannot
-  /// be loaded, has another version, or belongs to another MPI than mpirun.
-  static std::unique_ptr<MpiProcesses> join_others();
+  /// of this program; null if this one is alone. The plug-in is that of the first of the folders that has
+  /// one; `build_command` builds it, for messages. Error: there are several processes, and the plug-in is
+  /// missing, cannot be loaded, has another version, or belongs to another MPI than mpirun.
+  static std::unique_ptr<MpiProcesses> join_others(std::span<const std::filesystem::path> folders,
+                                                   const std::string& build_command);
 
   /// Joins the others. Threads of this process may run, but only the one that calls sends.
   explicit MpiProcesses(const MpiPlugin& plugin);
@@ -41,8 +46,10 @@ class MpiProcesses final : public Processes {
 
  private:
   void gather_bytes(const void* own, std::size_t bytes, void* all) override;
+  void check_thread() const;
 
   const MpiPlugin& plugin_;
+  std::thread::id thread_ = std::this_thread::get_id();
   std::size_t rank_ = 0;
   std::size_t size_ = 1;
 };

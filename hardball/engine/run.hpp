@@ -27,7 +27,8 @@ struct RunLimits {
   /// the thread that runs; if it throws, the run ends, too. A run that was stopped can be run on, to the same
   /// history. It may query the simulation, whose time() is up to date, but not edit it. A function and not a
   /// flag, as what to look at differs: an atomic variable, a std::stop_token, a signal that Python has to
-  /// look up itself, a clock.
+  /// look up itself, a clock. Of several processes only the first is asked, and all stop; if it throws there,
+  /// it throws in the first process alone.
   Function<bool()> stop = {};
 };
 

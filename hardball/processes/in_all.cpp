@@ -46,12 +46,13 @@ void in_first(Processes& processes, const Function<void()>& work) {
   });
 }
 
-void require_same(Processes& processes, const std::string& bytes, const std::string& what) {
+void require_same(Processes& processes, const std::string& bytes, const std::string& what,
+                  const std::string& remedy) {
   const std::vector<std::uint64_t> sums = processes.gather(checksum_of(bytes));
   for (std::size_t process = 1; process < sums.size(); ++process) {
     if (sums[process] == sums[0]) continue;
     throw Error("process " + to_text(process) + " has another " + what + " than process 0",
-                "several processes", "give all processes the same, on a common file system, say");
+                "several processes", remedy);
   }
 }
 

@@ -19,6 +19,7 @@ void in_first(Processes& processes, const Function<void()>& work);
 
 /// Error, in all processes: one of them has other bytes than the first. `what` names them in the message, as
 /// in "another scenario"; the remedy is to give all processes the same.
-void require_same(Processes& processes, const std::string& bytes, const std::string& what);
+void require_same(Processes& processes, const std::string& bytes, const std::string& what,
+                  const std::string& remedy = "give all processes the same, on a common file system, say");
 
 }  // namespace hardball

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 
 #include "hardball/run/engine_manager.hpp"
 
@@ -67,7 +68,16 @@ void RunSchedule::spend(std::uint64_t steps) {
 bool RunSchedule::is_told_to_stop(std::uint64_t slice, Processes& processes) {
   if (!left_.stop || steps_to_question_ > 0) return false;
   steps_to_question_ = slice;
-  if (!processes.of_first(processes.is_first() && left_.stop())) return false;
+  bool stops = false;
+  if (processes.is_first()) {
+    try {
+      stops = left_.stop();
+    } catch (...) {
+      failure_ = std::current_exception();
+      stops = true;
+    }
+  }
+  if (!processes.of_first(stops)) return false;
   status_ = RunStatus::stopped;
   return true;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 
 #include "hardball/engine/engine_base.hpp"
 #include "hardball/engine/run.hpp"
@@ -39,8 +40,11 @@ class RunSchedule {
     const bool is_broken = status_ == RunStatus::observer_stopped || status_ == RunStatus::outdated;
     return !is_broken && (status_ != RunStatus::steps_reached || left_.steps == 0);
   }
-  /// Why the run is over.
-  RunStatus status() const { return status_; }
+  /// Why the run is over. Throws what RunLimits::stop has thrown.
+  RunStatus status() const {
+    if (failure_) std::rethrow_exception(failure_);
+    return status_;
+  }
 
  private:
   bool is_told_to_stop(std::uint64_t slice, Processes& processes);
@@ -50,6 +54,7 @@ class RunSchedule {
   Time reached_;
   std::uint64_t steps_to_question_ = 0;  // whether to stop
   RunStatus status_ = RunStatus::steps_reached;
+  std::exception_ptr failure_;  // of RunLimits::stop
 };
 
 }  // namespace hardball

@@ -7,6 +7,7 @@ PYBIND11_MODULE(_hardball, module) {
   module.doc() = "The part of the package hardball that is written in C++; import hardball instead.";
   module.attr("__version__") = HARDBALL_VERSION;
   bind_errors(module);
+  bind_processes(module);
   bind_box(module);
   bind_steps(module);
   bind_responses(module);

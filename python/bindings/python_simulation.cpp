@@ -14,6 +14,7 @@
 #include "hardball/geometry/range.hpp"
 #include "hardball/recording/recording_header.hpp"
 #include "hardball/recording/recording_writer.hpp"
+#include "python/bindings/processes.hpp"
 #include "python/bindings/responses.hpp"
 #include "python/bindings/thermostats.hpp"
 
@@ -127,7 +128,12 @@ void PythonSimulation::listen() {
     const py::gil_scoped_acquire lock;
     of_state_.clear();
     const Callback listener = *listener_;  // which may replace itself
-    listener(contact);
+    try {
+      listener(contact);
+    } catch (py::error_already_set& error) {
+      if (simulation_.processes().size() > 1) require_in_all(error);
+      throw;
+    }
   });
 }
 
@@ -140,7 +146,11 @@ RunStatus PythonSimulation::run_interruptibly(RunLimits limits, Function<void()>
     return false;
   };
   const py::gil_scoped_release release;
-  return measures_.is_any_wanted() ? simulation_.run(limits, measures_) : simulation_.run(limits);
+  const RunStatus status =
+      measures_.is_any_wanted() ? simulation_.run(limits, measures_) : simulation_.run(limits);
+  if (status == RunStatus::stopped)
+    throw RunFailure("process 0 has been interrupted, which ends the run in all");
+  return status;
 }
 
 py::object PythonSimulation::run(std::optional<double> end, std::optional<std::uint64_t> collisions,
@@ -205,7 +215,8 @@ std::optional<NextContact> PythonSimulation::next_event(double end) {
     }();
     if (found || !(horizon < end)) return found;
     throw_if_interrupted();
-    if (std::chrono::steady_clock::now() - begin < kPatience) span *= 2;
+    const bool is_quick = std::chrono::steady_clock::now() - begin < kPatience;
+    if (simulation_.processes().of_first(is_quick)) span *= 2;
   }
 }
 

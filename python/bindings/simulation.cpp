@@ -14,13 +14,17 @@
 #include <vector>
 
 #include "documentation.hpp"
+#include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/processes/in_all.hpp"
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
+#include "hardball/scenario/shared_scenario.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/event_records.hpp"
+#include "python/bindings/processes.hpp"
 #include "python/bindings/responses.hpp"
 #include "python/bindings/simulation_class.hpp"
 #include "python/bindings/spheres.hpp"
@@ -50,9 +54,9 @@ std::unique_ptr<PythonSimulation> owned(Simulation simulation) {
   return std::make_unique<PythonSimulation>(std::move(simulation));
 }
 
-Simulation started(World world, const EngineOptions& options) {
+Simulation started(World world, const EngineOptions& options, Processes& processes) {
   const py::gil_scoped_release release;
-  return Simulation(std::move(world), options, interruptible());
+  return Simulation(std::move(world), options, processes, interruptible());
 }
 
 // A table, or one potential for all spheres.
@@ -73,7 +77,7 @@ std::unique_ptr<PythonSimulation> make_simulation(
     const std::vector<std::pair<SpeciesId, SpeciesId>>& passing, const py::object& steps,
     const std::vector<std::array<std::uint32_t, 3>>& bonds, const py::object& response,
     const py::object& thermostat, std::uint64_t seed, const std::string& engine,
-    std::optional<double> cell_edge) {
+    std::optional<double> cell_edge, Processes* processes) {
   World world(box, vector_of(gravity, "gravity", box.is_flat()), std::move(surfaces));
   const std::vector<Sphere> spheres =
       spheres_of(positions, velocities, radius, mass, spin, species, moment, box.is_flat());
@@ -91,21 +95,30 @@ std::unique_ptr<PythonSimulation> make_simulation(
     world.add_bond(first, second, static_cast<StepTable::Number>(potential));
   }
   const EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
-  std::unique_ptr<PythonSimulation> simulation = owned(started(std::move(world), options));
+  Processes& shared = processes_or_one(processes);
+  if (shared.size() > 1) {
+    require_same(shared, archived(world, seed, engine, cell_edge), "simulation",
+                 "give all processes the same arguments, and random numbers the same seed");
+  }
+  std::unique_ptr<PythonSimulation> simulation = owned(started(std::move(world), options, shared));
   if (!built_in) simulation->set_response(response);
   if (!thermostat.is_none()) simulation->set_thermostat(thermostat, seed);
   return simulation;
 }
 
-std::unique_ptr<PythonSimulation> from_scenario(const Scenario& scenario, const std::string& engine,
-                                                std::optional<double> cell_edge) {
+std::unique_ptr<PythonSimulation> from_scenario(const Function<Scenario()>& read, const std::string& engine,
+                                                std::optional<double> cell_edge, Processes* processes) {
   const EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
+  Processes& shared = processes_or_one(processes);
+  Scenario scenario;
+  in_all(shared, [&] { scenario = read(); });
+  require_same_scenario(scenario, shared);
   std::string notes;
   const auto simulation = [&] {
     const py::gil_scoped_release release;
     const auto on_note = [&](const std::string& note) { notes += notes.empty() ? note : "; " + note; };
-    return make_simulation(scenario, make_world(scenario, interruptible(), on_note), options,
-                           interruptible());
+    return make_simulation(scenario, make_share(scenario, shared, interruptible(), on_note), options,
+                           interruptible(), shared);
   };
   std::unique_ptr<PythonSimulation> made = owned(simulation());
   if (!notes.empty() && PyErr_WarnEx(PyExc_UserWarning, notes.c_str(), 1) != 0) throw py::error_already_set();
@@ -170,20 +183,22 @@ void bind_simulation(py::module_& module) {
            py::arg("passing") = std::vector<std::pair<SpeciesId, SpeciesId>>(), py::arg("steps") = py::none(),
            py::arg("bonds") = std::vector<std::array<std::uint32_t, 3>>(), py::arg("response") = py::none(),
            py::arg("thermostat") = py::none(), py::arg("seed") = 1, py::arg("engine") = "auto",
-           py::arg("cell_edge") = py::none())
+           py::arg("cell_edge") = py::none(), py::arg("processes") = py::none())
       // Subclasses are made of what the functions below return.
       .def(py::init(
           [](PythonSimulation& made) { return std::make_unique<PythonSimulation>(std::move(made)); }))
       .def_static("_from_scenario_file",
                   [](const std::filesystem::path& path, const std::vector<std::string>& overrides,
-                     const std::string& engine, std::optional<double> cell_edge) {
-                    return from_scenario(load_scenario(path, overrides), engine, cell_edge);
+                     const std::string& engine, std::optional<double> cell_edge, Processes* processes) {
+                    return from_scenario([&] { return load_scenario(path, overrides); }, engine, cell_edge,
+                                         processes);
                   })
       .def_static(
           "_from_scenario_text",
           [](const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
-             const std::string& engine, std::optional<double> cell_edge) {
-            return from_scenario(parse_scenario(text, name, overrides), engine, cell_edge);
+             const std::string& engine, std::optional<double> cell_edge, Processes* processes) {
+            return from_scenario([&] { return parse_scenario(text, name, overrides); }, engine, cell_edge,
+                                 processes);
           })
       .def_static("_box_of_file", &box_of_file)
       .def("_run", &PythonSimulation::run, py::arg("until"), py::arg("collisions"), py::arg("contacts"),

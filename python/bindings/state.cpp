@@ -73,11 +73,10 @@ py::dict certificate(const PythonSimulation& self) {
   const World& world = simulation.world();
   const Audit found = audit(world, simulation.now());
   const Tally& tally = simulation.tally();
-  const Counters counters = simulation.counters();
   py::dict all;
   all["event_log_hash"] = hash_text(simulation.event_log_hash());
-  all["collisions"] = counters.collision;
-  all["wall_contacts"] = counters.wall;
+  all["collisions"] = tally.collisions();
+  all["wall_contacts"] = tally.wall_contacts();
   all["mergers"] = tally.mergers();
   all["steps_passed"] = tally.steps_passed();
   all["steps_refused"] = tally.steps_refused();
@@ -165,19 +164,20 @@ void bind_numbers(SimulationClass& simulation) {
   number(
       "time", [](const Simulation& self) { return self.time(); }, "The present time [T].");
   number(
-      "box", [](const Simulation& self) { return self.world().box(); }, doc::Box);
+      "box", [](const Simulation& self) { return self.setting().box(); }, doc::Box);
   number(
-      "gravity", [](const Simulation& self) { return read_only(array_of(self.world().motion().gravity())); },
+      "gravity",
+      [](const Simulation& self) { return read_only(array_of(self.setting().motion().gravity())); },
       "Acceleration of all spheres [L/T^2].");
   number(
       "event_log_hash", [](const Simulation& self) { return hash_text(self.event_log_hash()); },
       "Hash of all contacts so far, in 16 hexadecimal digits: that of the same run by any engine, on any "
       "machine, from the command line or from C++.");
   number(
-      "collisions", [](const Simulation& self) { return self.counters().collision; },
+      "collisions", [](const Simulation& self) { return self.tally().collisions(); },
       "The number of collisions of two spheres so far.");
   number(
-      "wall_contacts", [](const Simulation& self) { return self.counters().wall; },
+      "wall_contacts", [](const Simulation& self) { return self.tally().wall_contacts(); },
       "The number of contacts with walls so far.");
   number(
       "energy", [](const Simulation& self) { return self.world().energy(self.now()); }, doc::World_energy);
@@ -281,6 +281,10 @@ void bind_state(SimulationClass& simulation) {
           "How many threads share the work, or 0 for as many as pay. It changes the speed and never the "
           "history. A simulation that is loaded has one. Cost: O(n). Error: several where spheres merge, or "
           "the response is a function.")
+      .def_property_readonly(
+          "processes",
+          [](const PythonSimulation& self) -> Processes& { return self.simulation().processes(); },
+          py::return_value_policy::reference, doc::Simulation_processes)
       .def("__len__", [](const PythonSimulation& self) { return self.simulation().size(); })
       .def(
           "__contains__",

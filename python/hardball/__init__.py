@@ -29,6 +29,7 @@ from ._hardball import (
     Merging,
     NextContact,
     Outcome,
+    Processes,
     Quantity,
     RayHit,
     Rescale,
@@ -42,6 +43,7 @@ from ._hardball import (
     ViscoelasticRestitution,
     __version__,
     measure_names,
+    mpi_processes,
 )
 from ._calls import ArgumentError, explain_calls, explained
 from ._packing import Packing, PackingFailed, pack
@@ -64,6 +66,7 @@ __all__ = [
     "Outcome",
     "Packing",
     "PackingFailed",
+    "Processes",
     "Quantity",
     "RayHit",
     "Rescale",
@@ -78,6 +81,7 @@ __all__ = [
     "View",
     "ViscoelasticRestitution",
     "measure_names",
+    "mpi_processes",
     "pack",
     "__version__",
 ]

@@ -114,3 +114,10 @@ def engine_name(value: Any) -> str:
     if not isinstance(value, str):
         raise _hardball.Error(f"engine: it is {value!r}; give a name such as 'auto'")
     return value
+
+
+def processes_of(value: Any) -> _hardball.Processes | None:
+    """Error: it is neither None nor what mpi_processes returns."""
+    if value is None or isinstance(value, _hardball.Processes):
+        return value
+    raise _hardball.Error(f"processes: it is {value!r}; give hardball.mpi_processes()")

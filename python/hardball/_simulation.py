@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _hardball
-from ._arguments import bonds_of, engine_name, list_of, path_text, real_number, species_pairs, whole_number
+from ._arguments import bonds_of, engine_name, list_of, path_text, processes_of, real_number, species_pairs, whole_number
 from ._notebook import html_of
 from ._scenario import toml_of
 from ._view import View, is_notebook, view_of
@@ -50,6 +50,7 @@ class Simulation(_hardball.Simulation):
         seed: int = 1,
         engine: str = "auto",
         cell_edge: float | None = None,
+        processes: _hardball.Processes | None = None,
     ) -> None:
         """Starts at time zero.
 
@@ -75,6 +76,8 @@ class Simulation(_hardball.Simulation):
         :param engine: how collisions are found: 'auto', 'cells', 'neighbors', 'all-pairs' or 'paper'. The choice changes
             the speed and never the history.
         :param cell_edge: the edge of its cells [L]; also changes only the speed.
+        :param processes: mpi_processes() for processes that share the simulation, each of which gives the same
+            arguments; by default this one alone.
 
         Error: spheres that overlap or reach through a wall; numbers that are not finite or out of range.
         """
@@ -99,6 +102,7 @@ class Simulation(_hardball.Simulation):
             seed=whole_number(seed, "seed"),
             engine=engine_name(engine),
             cell_edge=None if cell_edge is None else real_number(cell_edge, "cell_edge"),
+            processes=processes_of(processes),
         )
 
     @classmethod
@@ -117,21 +121,24 @@ class Simulation(_hardball.Simulation):
         overrides: Mapping[str, Any] | None = None,
         engine: str = "auto",
         cell_edge: float | None = None,
+        processes: _hardball.Processes | None = None,
     ) -> Self:
         """The simulation of a scenario: the path of a file, or the same keys and values as a dict.
 
         `overrides` replaces or adds values: {'run.seed': 7, 'spheres.0.count': 100}. A run without a limit ends
-        where the scenario says. Error: the same as on the command line, with its location.
+        where the scenario says. `processes` share the simulation if each gives the same scenario; see mpi_processes.
+        Error: the same as on the command line, with its location.
         """
         if overrides is not None and not isinstance(overrides, Mapping):
             raise _hardball.Error("overrides: it is not a dict; give one such as {'run.seed': 7}")
         changes = [f"{key}={toml_of(value)}" for key, value in (overrides or {}).items()]
         engine = engine_name(engine)
         cell_edge = None if cell_edge is None else real_number(cell_edge, "cell_edge")
+        shared = processes_of(processes)
         if isinstance(scenario, Mapping):
             text = "".join(f"{key} = {toml_of(value)}\n" for key, value in scenario.items())
-            return cls._of(cls._from_scenario_text(text, "scenario", changes, engine, cell_edge))
-        return cls._of(cls._from_scenario_file(path_text(scenario, "scenario"), changes, engine, cell_edge))
+            return cls._of(cls._from_scenario_text(text, "scenario", changes, engine, cell_edge, shared))
+        return cls._of(cls._from_scenario_file(path_text(scenario, "scenario"), changes, engine, cell_edge, shared))
 
     @classmethod
     def from_file(
@@ -141,16 +148,20 @@ class Simulation(_hardball.Simulation):
         overrides: Mapping[str, Any] | None = None,
         engine: str = "auto",
         cell_edge: float | None = None,
+        processes: _hardball.Processes | None = None,
     ) -> Self:
         """Starts from the last frame of a file: extended XYZ, GSD, a LAMMPS dump or data file, CSV, NumPy or .sph.
 
         The box is that of the file: periodic where the file says so, otherwise open; that of a LAMMPS data file, which
         says nothing, is periodic. `overrides` changes it or adds other keys of a scenario: {'box.boundary':
-        ['wall'] * 3, 'start.shrink': True, 'response.restitution': 0.9}.
+        ['wall'] * 3, 'start.shrink': True, 'response.restitution': 0.9}. `processes` share the simulation; see
+        mpi_processes.
         """
         file = path_text(path, "path")
         scenario = {"box": cls._box_of_file(file), "start": {"file": os.path.abspath(file)}}
-        return cls.from_scenario(scenario, overrides=overrides, engine=engine, cell_edge=cell_edge)
+        return cls.from_scenario(
+            scenario, overrides=overrides, engine=engine, cell_edge=cell_edge, processes=processes
+        )
 
     @classmethod
     def from_ase(cls: type[Self], atoms: ase.Atoms, *, radius: ArrayLike | None = None, **options: Any) -> Self:
@@ -165,14 +176,21 @@ class Simulation(_hardball.Simulation):
         return cls(**{**arguments_of(atoms, radius), **options})
 
     @classmethod
-    def load(cls: type[Self], saved: bytes | bytearray | memoryview | str | os.PathLike[str]) -> Self:
+    def load(
+        cls: type[Self],
+        saved: bytes | bytearray | memoryview | str | os.PathLike[str],
+        *,
+        processes: _hardball.Processes | None = None,
+    ) -> Self:
         """A simulation from the bytes or the file of `save`, or from a checkpoint of the command line.
 
-        Error: it is damaged, or of a later version.
+        `processes` share the simulation, whatever number of them saved it; see mpi_processes. Error: it is damaged, or
+        of a later version.
         """
+        shared = processes_of(processes)
         if isinstance(saved, (bytes, bytearray, memoryview)):
-            return cls._of(cls._loaded(bytes(saved)))
-        return cls._of(cls._load_file(path_text(saved, "saved")))
+            return cls._of(cls._loaded(bytes(saved), shared))
+        return cls._of(cls._load_file(path_text(saved, "saved"), shared))
 
     @overload
     def save(self, path: None = ...) -> bytes: ...
@@ -185,7 +203,8 @@ class Simulation(_hardball.Simulation):
 
         From either, `load` makes a simulation that continues to the same history. Listeners, custom responses and the
         attributes of a subclass are not saved. `pickle` keeps custom responses and attributes, `copy` also listeners. The file
-        is either unchanged or complete. Cost: O(size).
+        is either unchanged or complete. Of several processes, the first writes it. Copies are shared by the same
+        processes; a simulation that was pickled, by one. Cost: O(size).
         """
         if path is None:
             return self._saved()
@@ -245,7 +264,8 @@ class Simulation(_hardball.Simulation):
         wall. If spheres may never meet again, in open space or a periodic box, give a finite time. Returns the number
         of contacts or, with `record`, all of them as an array with the fields of events.npy: time, kind (0 a collision,
         1 a wall), first, second, normal_speed and impulse. `progress` shows a bar if tqdm is installed. Releases the
-        GIL. Ctrl-C stops the run cleanly between two events; the simulation can be run further.
+        GIL. Ctrl-C stops the run cleanly between two events; the simulation can be run further. Several processes stop
+        where the first one is interrupted, and RunFailure is raised in the others.
         """
         if until is not None:
             until = real_number(until, "until")
@@ -254,7 +274,7 @@ class Simulation(_hardball.Simulation):
         if contacts is not None:
             contacts = whole_number(contacts, "contacts")
         done: int | NDArray[np.void]
-        if not progress:
+        if not progress or self.processes.rank > 0:
             done = self._run(until, collisions, contacts, record, None)
             return done
         from ._progress import shown_progress

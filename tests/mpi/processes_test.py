@@ -17,14 +17,9 @@ import time
 import unittest
 from pathlib import Path
 
+from mpirun import ENVIRONMENT, MPIRUN, can_start_processes
+
 PROGRAM = str(Path(sys.argv[1]).resolve())
-# More processes than processors are wanted, and root runs them in containers.
-MPIRUN = ["mpirun", "--oversubscribe"]
-ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-               "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-               # All processes are on this machine, where nothing but shared memory may be allowed.
-               "OMPI_MCA_plm": "isolated", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader",
-               "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
 
 GAS = """
 [box]
@@ -383,8 +378,7 @@ class Machines(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    # Where there is no network interface at all, for one.
-    if subprocess.run(MPIRUN + ["-n", "2", "true"], env=ENVIRONMENT, capture_output=True).returncode != 0:
+    if not can_start_processes():
         print("mpirun cannot start processes on this machine")
         sys.exit(77)
     unittest.main(argv=sys.argv[:1])
