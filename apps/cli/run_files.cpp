@@ -71,24 +71,16 @@ void refuse_files_of_a_run(const std::filesystem::path& directory) {
   }
 }
 
-// The positions of a run's trajectories, by name. Error: the checkpoint does not tell them apart.
-std::vector<std::pair<std::string, TrajectoryPosition>> named_trajectories(
-    const std::filesystem::path& directory, const Scenario& scenario, const FilesState& state) {
-  auto named = state.trajectories;
-  // Those of version 1 are in the order in which the run began, or in that of the scenario.
-  if (std::ranges::is_sorted(scenario.trajectories) && named.size() == scenario.trajectories.size()) {
-    for (std::size_t i = 0; i < named.size(); ++i) {
-      if (named[i].first.empty())
-        named[i].first = kTrajectories[static_cast<std::size_t>(scenario.trajectories[i])];
-    }
-  }
+// Error: the checkpoint does not have the position of each trajectory of the run.
+void check_trajectories(const std::filesystem::path& directory, const Scenario& scenario,
+                        const FilesState& state) {
   for (const SnapshotFormat format : scenario.trajectories) {
     const char* const name = kTrajectories[static_cast<std::size_t>(format)];
-    if (std::ranges::count(named, name, [](const auto& each) { return each.first; }) == 1) continue;
+    if (std::ranges::count(state.trajectories, name, [](const auto& each) { return each.first; }) == 1)
+      continue;
     throw Error(std::string("the checkpoint does not say how far ") + name + " was written",
                 directory.string(), "start the run again in another directory");
   }
-  return named;
 }
 
 // A file that a run continues. Error: it is gone.
@@ -201,7 +193,8 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
 
 RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const FilesState& state)
     : directory_(directory), lock_(directory), has_measures_(!scenario.measures.names.empty()) {
-  for (const auto& [name, position] : named_trajectories(directory, scenario, state)) {
+  check_trajectories(directory, scenario, state);
+  for (const auto& [name, position] : state.trajectories) {
     trajectories_.emplace_back(name, Trajectory(continued(directory, name), position));
   }
   if (state.events) events_.emplace(continued(directory, kEvents), *state.events);

@@ -45,23 +45,12 @@ std::vector<std::filesystem::path> files_of_run(const std::filesystem::path& dir
 
 /// How much of the files of a run belongs to a checkpoint.
 struct FilesState {
-  /// By the name of the file; in checkpoints of version 1, without names.
+  /// By the name of the file.
   std::vector<std::pair<std::string, TrajectoryPosition>> trajectories;
   std::optional<EventLogPosition> events;
   std::optional<std::string> recording;  ///< See RecordingWriter::save.
 
-  static void persist(auto& archive, auto& self) {
-    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
-      if (archive.version() == 1) {
-        std::vector<TrajectoryPosition> positions;
-        archive(positions);
-        for (const TrajectoryPosition& position : positions) self.trajectories.emplace_back("", position);
-        archive(self.events, self.recording);
-        return;
-      }
-    }
-    archive(self.trajectories, self.events, self.recording);
-  }
+  static void persist(auto& archive, auto& self) { archive(self.trajectories, self.events, self.recording); }
 };
 
 /// The files of one run in its output directory: trajectories, events.npy and recording.hbr, if the

@@ -45,10 +45,8 @@ struct RunState {
   std::vector<std::string> notes;  ///< Of the start.
 
   static void persist(auto& archive, auto& self) {
-    archive(self.choice, self.text, self.name, self.next_snapshot, self.seconds);
-    if (archive.version() >= kVersionOfNotes) archive(self.notes);
+    archive(self.choice, self.text, self.name, self.next_snapshot, self.seconds, self.notes);
   }
-  static constexpr std::uint32_t kVersionOfNotes = 11;  // of archives
 };
 
 /// Opens the files of a run that has a directory and starts now. Error: see RunFiles.

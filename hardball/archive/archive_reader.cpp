@@ -14,6 +14,10 @@ void refuse_archive(const std::string& where) {
 void ArchiveReader::read_version() {
   read(version_);
   require(version_ > 0);
+  if (version_ < ArchiveWriter::kFirstReleased) {
+    throw Error("has version " + std::to_string(version_) + " of the format, of before the first release",
+                where_, "start the run again, or end it with the program that wrote it");
+  }
   if (version_ <= ArchiveWriter::kVersion) return;
   throw Error("has version " + std::to_string(version_) + " of the format, and this program knows " +
                   std::to_string(ArchiveWriter::kVersion),

@@ -27,8 +27,9 @@ class ArchiveWriter {
                 "numbers are written as they lie in memory");
 
   /// The version of the format written. It counts up whenever the state of any class changes; readers read
-  /// all from 1 on.
-  static constexpr std::uint32_t kVersion = 12;
+  /// all from that of the first release on.
+  static constexpr std::uint32_t kVersion = 13;
+  static constexpr std::uint32_t kFirstReleased = 13;
   static constexpr bool kIsReading = false;
 
   static constexpr std::uint32_t version() { return kVersion; }

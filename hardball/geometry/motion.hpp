@@ -103,11 +103,7 @@ class Motion {
 
  private:
   friend class Persistence;
-  static constexpr std::uint32_t kVersionOfGrowth = 5;  // of archives
-  static void persist(auto& archive, auto& self) {
-    archive(self.gravity_);
-    if (archive.version() >= kVersionOfGrowth) archive(self.growth_);
-  }
+  static void persist(auto& archive, auto& self) { archive(self.gravity_, self.growth_); }
   bool restored() {
     is_straight_ = gravity_ == Vec3{};
     set_growth(growth_);

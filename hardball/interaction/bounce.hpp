@@ -33,8 +33,8 @@ struct BounceRules {
   /// over 0, sticking, to 1, perfectly rough; if absent, the bodies are smooth.
   std::optional<double> tangential_restitution = {};
   static void persist(auto& archive, auto& self) {
-    archive(self.restitution, self.elastic_below, self.contact_duration, self.tangential_restitution);
-    if (archive.version() >= 10) archive(self.settle_under);
+    archive(self.restitution, self.elastic_below, self.contact_duration, self.tangential_restitution,
+            self.settle_under);
   }
 };
 

@@ -65,9 +65,8 @@ class Interactions {
     } else {
       archive(self.table_);
     }
-    if (archive.version() >= kVersionOfSteps) archive(self.steps_);
+    archive(self.steps_);
   }
-  static constexpr std::uint32_t kVersionOfSteps = 7;  // of archives
 
   void choose() {
     has_passing_ = table_.has_passing();

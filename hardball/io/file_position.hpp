@@ -16,10 +16,7 @@ struct FilePosition {
       {};  ///< Of its last bytes, kSummedBytes at most; not known of devices.
 
   friend bool operator==(const FilePosition&, const FilePosition&) = default;
-  static void persist(auto& archive, auto& self) {
-    archive(self.bytes);
-    if (archive.version() > 1) archive(self.checksum);
-  }
+  static void persist(auto& archive, auto& self) { archive(self.bytes, self.checksum); }
 };
 
 }  // namespace hardball

@@ -33,13 +33,7 @@ class EventLogHash {
 
  private:
   friend class Persistence;
-  static void persist(auto& archive, auto& self) {
-    archive(self.sum_);
-    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
-      // Before, a hash of all contacts in order: a number like another, to which further contacts are added.
-      if (archive.version() < kSinceVersion) self.sum_ -= kStart;
-    }
-  }
+  static void persist(auto& archive, auto& self) { archive(self.sum_); }
 
   static std::uint64_t hash_of(const Contact& contact) {
     // The products do not depend on each other. Each is turned by a number of bits of its own, so that words
@@ -72,7 +66,6 @@ class EventLogHash {
   static constexpr std::uint64_t kStart = 0x48617264'62616c6c;  // the value before the first contact
   static constexpr std::uint64_t kWall = 0x589965cc75374cc3;
   static constexpr std::uint64_t kStep = 0xd1342543de82ef95;
-  static constexpr std::uint32_t kSinceVersion = 4;  // of archives
 
   std::uint64_t sum_ = 0;
 };

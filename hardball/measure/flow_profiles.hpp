@@ -22,8 +22,6 @@ namespace hardball {
 class FlowProfiles {
  public:
   static constexpr std::string_view kName = "flow_profiles";
-  /// Of archives, the first that may have it.
-  static constexpr std::uint32_t kSinceVersion = 2;
 
   /// In slabs of one mean radius, or wider so that there are no more than 100 along an axis.
   explicit FlowProfiles(const Scene& scene);

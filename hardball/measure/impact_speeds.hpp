@@ -35,12 +35,7 @@ class ImpactSpeeds {
   friend class Persistence;
   ImpactSpeeds() = default;
   static void persist(auto& archive, auto& self) {
-    archive(self.species_, self.motion_);
-    if (archive.version() < 2) {
-      bool has_open_axis = false;
-      archive(has_open_axis);
-    }
-    archive(self.begin_, self.width_, self.bins_per_speed_, self.average_);
+    archive(self.species_, self.motion_, self.begin_, self.width_, self.bins_per_speed_, self.average_);
   }
   bool restored() const;
 

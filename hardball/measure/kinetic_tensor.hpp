@@ -38,8 +38,7 @@ class KineticTensor {
  private:
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
-    archive(self.mass_, self.drift_, self.components_);
-    if (archive.version() >= 9) archive(self.momentum_, self.gravity_, self.has_drift_);
+    archive(self.mass_, self.drift_, self.components_, self.momentum_, self.gravity_, self.has_drift_);
   }
 
   void change(double mass, const Vec3& before, const Vec3& after);

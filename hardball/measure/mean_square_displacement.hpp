@@ -39,10 +39,7 @@ class MeanSquareDisplacement {
   friend class Persistence;
   MeanSquareDisplacement() = default;
   static void persist(auto& archive, auto& self) {
-    archive(self.theory_, self.motion_, self.dimensions_);
-    bool is_periodic = false;
-    if (archive.version() < 9) archive(is_periodic);
-    archive(self.mean_free_time_, self.begin_, self.average_);
+    archive(self.theory_, self.motion_, self.dimensions_, self.mean_free_time_, self.begin_, self.average_);
   }
 
   Diffusion diffusion(const Scene& scene, std::size_t species) const;

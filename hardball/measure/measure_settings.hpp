@@ -31,9 +31,7 @@ struct MeasureSettings {
   /// under gravity, or of random spins. Errors then say how far runs with other random numbers are.
   bool is_energy_random = false;
   static void persist(auto& archive, auto& self) {
-    archive(self.names, self.every, self.from);
-    if (archive.version() >= 9) archive(self.is_start_placed);
-    if (archive.version() >= 10) archive(self.is_energy_random);
+    archive(self.names, self.every, self.from, self.is_start_placed, self.is_energy_random);
   }
 };
 

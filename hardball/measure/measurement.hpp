@@ -25,8 +25,7 @@ struct Quantity {
   std::string reason = {};  ///< Why there is no value or no error, without a comma; empty if there are both.
 
   static void persist(auto& archive, auto& self) {
-    archive(self.name, self.unit, self.value, self.error, self.theory);
-    if (archive.version() >= 2) archive(self.tolerance, self.reason);
+    archive(self.name, self.unit, self.value, self.error, self.theory, self.tolerance, self.reason);
   }
 };
 
@@ -69,8 +68,7 @@ struct Measurement {
   static void persist(auto& archive, auto& self) {
     archive(self.name, self.title, self.formula, self.source, self.quantities, self.columns, self.duration,
             self.transient, self.is_transient_over, self.is_logarithmic_in_argument,
-            self.is_logarithmic_in_value);
-    if (archive.version() >= 9) archive(self.unsettled);
+            self.is_logarithmic_in_value, self.unsettled);
   }
 };
 

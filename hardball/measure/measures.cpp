@@ -188,9 +188,7 @@ struct Measures::Entries : AllMeasures {
   std::optional<RandomStart> random_start;  // if there is one
 
   static void persist(auto& archive, auto& self) {
-    archive(self.entries);
-    if (archive.version() >= 9) archive(self.settling, self.settling_schedule);
-    if (archive.version() >= 10) archive(self.random_start);
+    archive(self.entries, self.settling, self.settling_schedule, self.random_start);
   }
 };
 

@@ -35,8 +35,7 @@ class NearestNeighbor {
   NearestNeighbor() = default;
   static void persist(auto& archive, auto& self) {
     archive(self.widest_, self.diameter_, self.sample_cost_, self.dimensions_, self.packing_fraction_,
-            self.begin_, self.bins_, self.average_);
-    if (archive.version() >= 2) archive(self.motion_);
+            self.begin_, self.bins_, self.average_, self.motion_);
   }
   bool restored() const;
 

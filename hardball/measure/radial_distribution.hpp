@@ -47,9 +47,8 @@ class RadialDistribution {
   RadialDistribution() = default;
   static void persist(auto& archive, auto& self) {
     archive(self.box_, self.species_, self.is_by_species_, self.kinds_, self.kind_of_, self.low_,
-            self.bin_width_, self.bins_, self.sample_cost_, self.begin_, self.average_);
-    if (archive.version() >= 2) archive(self.motion_);
-    if (archive.version() >= 7) archive(self.is_smooth_);
+            self.bin_width_, self.bins_, self.sample_cost_, self.begin_, self.average_, self.motion_,
+            self.is_smooth_);
   }
   bool restored() const;
 
@@ -61,8 +60,7 @@ class RadialDistribution {
     ContactExtrapolation contact;
     double tolerance = 0;  // of the theory [1]
     static void persist(auto& archive, auto& self) {
-      archive(self.reach, self.theory, self.suffix, self.contact);
-      if (archive.version() >= 2) archive(self.tolerance);
+      archive(self.reach, self.theory, self.suffix, self.contact, self.tolerance);
     }
   };
 

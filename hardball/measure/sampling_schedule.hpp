@@ -68,14 +68,8 @@ class SamplingSchedule {
  private:
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
-    archive(self.begin_, self.interval_, self.next_, self.contacts_wanted_, self.contacts_before_);
-    if (archive.version() < 2) {
-      std::int32_t samples = 0;
-      archive(samples);
-    } else {
-      archive(self.windows_, self.window_, self.period_, self.windows_per_count_);
-    }
-    if (archive.version() >= 9) archive(self.is_scattered_);
+    archive(self.begin_, self.interval_, self.next_, self.contacts_wanted_, self.contacts_before_,
+            self.windows_, self.window_, self.period_, self.windows_per_count_, self.is_scattered_);
   }
   bool restored() const;
 

@@ -27,7 +27,6 @@ namespace hardball {
 class StepAttempts {
  public:
   static constexpr std::string_view kName = "steps";
-  static constexpr std::uint32_t kSinceVersion = 7;  // of archives
   /// Measured only where there are potentials of steps.
   static constexpr bool kNeedsSteps = true;
 

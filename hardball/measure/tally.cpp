@@ -166,13 +166,6 @@ double Tally::shear_work(double kinetic_energy) const {
   return kinetic_energy - work.value();
 }
 
-// Before version 4, archives have the energy and its integral at the last change in place of begin_energy_
-// and delayed_gains_.
-void Tally::take_over_energy_integral() {
-  gains_ = ExactSum();
-  delayed_gains_ = ExactSum(begin_energy_ * duration(begin_, last_) - delayed_gains_.value());
-}
-
 double Tally::compressibility(const Time& now) const {
   if (!keeps_energy_) return std::numeric_limits<double>::quiet_NaN();
   return 1 + virial() / (2 * energy_integral(now));

@@ -97,20 +97,11 @@ class HARDBALL_EXPORT Tally {
  private:
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
-    archive(self.begin_, self.last_, self.begin_energy_, self.initial_energy_, self.delayed_gains_);
-    if (archive.version() >= kVersionOfGains) archive(self.gains_);
-    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
-      if (archive.version() < kVersionOfGains) self.take_over_energy_integral();
-    }
-    archive(self.collisions_, self.mergers_, self.passes_, self.wall_contacts_, self.max_overlap_,
-            self.virial_, self.impact_speed_sum_, self.impact_speed_square_sum_, self.keeps_energy_,
-            self.walls_);
-    if (archive.version() >= kVersionOfGrowth) archive(self.growth_work_);
-    if (archive.version() >= kVersionOfSteps) archive(self.steps_passed_, self.steps_refused_);
+    archive(self.begin_, self.last_, self.begin_energy_, self.initial_energy_, self.delayed_gains_,
+            self.gains_, self.collisions_, self.mergers_, self.passes_, self.wall_contacts_,
+            self.max_overlap_, self.virial_, self.impact_speed_sum_, self.impact_speed_square_sum_,
+            self.keeps_energy_, self.walls_, self.growth_work_, self.steps_passed_, self.steps_refused_);
   }
-  static constexpr std::uint32_t kVersionOfGains = 4;  // of archives
-  static constexpr std::uint32_t kVersionOfGrowth = 5;
-  static constexpr std::uint32_t kVersionOfSteps = 7;
 
   // The sums of WallTally.
   struct WallSums {
@@ -129,7 +120,6 @@ class HARDBALL_EXPORT Tally {
   void note_outcome(const Contact& contact);
   void note_wall_contact(const Contact& contact);
   void note_gain(double energy, const Time& now);
-  void take_over_energy_integral();
 
   Time begin_;
   Time last_;

@@ -45,8 +45,8 @@ class Temperature {
   friend class Persistence;
   Temperature() = default;
   static void persist(auto& archive, auto& self) {
-    archive(self.species_, self.masses_, self.box_, self.spheres_, self.motion_, self.begin_, self.samples_);
-    if (archive.version() >= 9) archive(self.last_, self.is_followed_, self.kinetic_, self.energy_);
+    archive(self.species_, self.masses_, self.box_, self.spheres_, self.motion_, self.begin_, self.samples_,
+            self.last_, self.is_followed_, self.kinetic_, self.energy_);
   }
   bool restored() const;
 

@@ -86,8 +86,7 @@ class TimeCorrelation {
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
     archive(self.species_, self.begin_, self.interval_, self.tick_, self.followed_, self.groups_,
-            self.vectors_, self.levels_, self.origins_, self.sums_);
-    if (archive.version() >= 2) archive(self.shape_);
+            self.vectors_, self.levels_, self.origins_, self.sums_, self.shape_);
   }
   bool restored() const;
 

@@ -69,7 +69,6 @@ class CollectiveTransport {
  public:
   static constexpr std::string_view kName = kCoefficientNames[static_cast<std::size_t>(kCoefficient)];
   static constexpr bool kIsByName = true;
-  static constexpr std::uint32_t kSinceVersion = 6;
 
   /// Starts at the time of the scene; increments are over `base` of the mean free time, or up to twice as
   /// long [1]. Cost: O(n).
@@ -114,7 +113,6 @@ class SelfDiffusion {
  public:
   static constexpr std::string_view kName = "diffusion";
   static constexpr bool kIsByName = true;
-  static constexpr std::uint32_t kSinceVersion = 6;
   /// Samples are a mean free time apart throughout, as every increment is needed.
   static constexpr bool kSamplesSteadily = true;
 

@@ -38,10 +38,7 @@ class VelocityAutocorrelation {
   friend class Persistence;
   VelocityAutocorrelation() = default;
   static void persist(auto& archive, auto& self) {
-    archive(self.theory_, self.motion_, self.dimensions_, self.mean_free_time_, self.average_);
-    bool is_periodic = false;
-    if (archive.version() >= 2 && archive.version() < 9) archive(is_periodic);
-    if (archive.version() >= 2) archive(self.begin_);
+    archive(self.theory_, self.motion_, self.dimensions_, self.mean_free_time_, self.average_, self.begin_);
   }
   bool restored();
 

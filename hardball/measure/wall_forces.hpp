@@ -46,8 +46,7 @@ class WallForces {
   friend class Persistence;
   WallForces() = default;
   static void persist(auto& archive, auto& self) {
-    archive(self.walls_, self.indices_, self.begin_, self.last_, self.average_);
-    if (archive.version() >= kVersionOfTangentialForces) archive(self.along_);
+    archive(self.walls_, self.indices_, self.begin_, self.last_, self.average_, self.along_);
   }
   bool restored();
 
@@ -59,8 +58,6 @@ class WallForces {
   // After them, the energy that the spheres store, per time: what work and heat change besides what impacts
   // and the thermostat take [M L^2 T^-3].
   std::size_t stored_bin() const { return kBins * walls_.size(); }
-
-  static constexpr std::uint32_t kVersionOfTangentialForces = 2;  // of archives
 
   void advance(const Time& now);
 

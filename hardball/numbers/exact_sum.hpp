@@ -52,14 +52,8 @@ class HARDBALL_EXPORT ExactSum {
   // Equal sums have equal bytes.
   static void persist(auto& archive, auto& self) {
     if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
-      if (archive.version() < kSinceVersion) {
-        double sum = 0;
-        archive(sum);
-        self = ExactSum(sum);
-      } else {
-        self = ExactSum();
-        archive(self.specials_, self.first_, self.digits_);
-      }
+      self = ExactSum();
+      archive(self.specials_, self.first_, self.digits_);
     } else {
       const ExactSum reduced = self.reduced();
       archive(reduced.specials_, reduced.first_, reduced.digits_);
@@ -67,7 +61,6 @@ class HARDBALL_EXPORT ExactSum {
   }
   bool restored() const;
 
-  static constexpr std::uint32_t kSinceVersion = 4;  // of archives, before which sums were doubles
   static constexpr int kFractionBits = 52;
   static constexpr std::uint64_t kLeadingBit = std::uint64_t{1} << kFractionBits;
   static constexpr std::uint64_t kFraction = kLeadingBit - 1;

@@ -93,18 +93,15 @@ class HARDBALL_EXPORT Packer {
     archive(simulation, self.plan_, self.state_, self.end_, self.rate_, self.attempts_, self.recounts_,
             self.given_up_, self.filled_, self.speed_, self.pressure_, self.virial_, self.energy_integral_,
             self.window_begin_, self.patience_, self.has_no_room_, self.steps_, self.weighed_at_,
-            self.impulses_, self.history_);
-    if (archive.version() >= kVersionOfBrackets)
-      archive(self.mean_pressure_, self.step_, self.has_locked_, self.most_that_fit_, self.least_that_do_not_,
-              self.is_count_final_, self.is_sized_, self.too_dilute_, self.too_dense_, self.before_step_);
+            self.impulses_, self.history_, self.mean_pressure_, self.step_, self.has_locked_,
+            self.most_that_fit_, self.least_that_do_not_, self.is_count_final_, self.is_sized_,
+            self.too_dilute_, self.too_dense_, self.before_step_);
     if constexpr (kIsReading) {
       self.simulation_ = Simulation::load(simulation, kWhereSaved);
-      if (self.before_step_.empty()) self.before_step_ = simulation;
     }
   }
   bool restored() const;
   static constexpr const char* kWhereSaved = "the saved packing";
-  static constexpr std::uint32_t kVersionOfBrackets = 9;  // of archives
 
   void note(const Contact& contact);
   std::uint64_t contacts() const { return simulation_.counters().contacts(); }

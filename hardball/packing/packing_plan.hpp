@@ -49,11 +49,9 @@ struct HARDBALL_EXPORT PackingPlan {
   static void persist(auto& archive, auto& self) {
     archive(self.goal, self.follows, self.container, self.radii, self.start, self.start_fraction,
             self.diameter, self.distribution, self.plausible, self.rate, self.is_rate_given, self.gap,
-            self.seed, self.warnings);
-    if (archive.version() >= kVersionOfLabels) archive(self.labels);
+            self.seed, self.warnings, self.labels);
     archive.require(self.follows <= Follows::packing_fraction);
   }
-  static constexpr std::uint32_t kVersionOfLabels = 9;  // of archives
 };
 
 /// Works out what a request leaves open. Cost: O(n log n). Error: fewer or more is given than determines the

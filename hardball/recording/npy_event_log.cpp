@@ -17,17 +17,13 @@ constexpr std::uint64_t kRecordsPerFlush = (std::uint64_t{4} << 20) / kRecordByt
 
 constexpr std::size_t kHeaderBytes = 256;
 
-// The fields that identify the contact; those after them are the same in all files.
-constexpr const char* kFields = "('time', '<f8'), ('first', '<u4'), ('second', '<u4')";
-constexpr const char* kEarlierFields = "('t', '<f8'), ('i', '<u4'), ('j', '<i4')";
-
 // The header, of the same length for every number of records.
-std::string header(std::uint64_t records, bool is_of_earlier_version) {
+std::string header(std::uint64_t records) {
   constexpr std::size_t kPrefixBytes = 10;
-  std::string text = std::string("{'descr': [") + (is_of_earlier_version ? kEarlierFields : kFields) +
-                     ", ('kind', '|u1'), ('impulse', '<f8', (3,)), ('normal_speed', '<f8')], "
-                     "'fortran_order': False, 'shape': (" +
-                     std::to_string(records) + ",)}";
+  std::string text =
+      "{'descr': [('time', '<f8'), ('first', '<u4'), ('second', '<u4'), ('kind', '|u1'), "
+      "('impulse', '<f8', (3,)), ('normal_speed', '<f8')], 'fortran_order': False, 'shape': (" +
+      std::to_string(records) + ",)}";
   text.resize(kHeaderBytes - kPrefixBytes - 1, ' ');
   text += '\n';
   std::string prefix = "\x93NUMPY";
@@ -39,23 +35,19 @@ std::string header(std::uint64_t records, bool is_of_earlier_version) {
 }  // namespace
 
 const NpyField* time_in_event_log(const NpyHeader& header) {
-  const bool is_of_earlier_version = header.find("t") != nullptr;
-  const NpyField* const time = header.find(is_of_earlier_version ? "t" : "time");
-  const bool has_bodies = is_of_earlier_version ? header.find("i") && header.find("j")
-                                                : header.find("first") && header.find("second");
-  const bool is_log = time && time->kind == 'f' && time->bytes == 8 && has_bodies && header.find("kind") &&
-                      header.shape.size() == 1;
+  const NpyField* const time = header.find("time");
+  const bool is_log = time && time->kind == 'f' && time->bytes == 8 && header.find("first") &&
+                      header.find("second") && header.find("kind") && header.shape.size() == 1;
   return is_log ? time : nullptr;
 }
 
 NpyEventLog::NpyEventLog(std::filesystem::path path) : file_(std::move(path)) {
-  file_.append(header(0, is_of_earlier_version_));
+  file_.append(header(0));
   flush();
 }
 
 NpyEventLog::NpyEventLog(const std::filesystem::path& path, const EventLogPosition& position)
     : file_(path, {kHeaderBytes + position.records * kRecordBytes, position.checksum}, kHeaderBytes),
-      is_of_earlier_version_(read_npy_header(path).find("t") != nullptr),
       size_(position.records),
       counted_(position.records),
       may_count_too_many_(true) {}
@@ -75,9 +67,7 @@ void NpyEventLog::append(const Contact& contact) {
   record.reserve(kRecordBytes);
   append_little_endian(record, contact.time.value());
   append_little_endian(record, contact.first);
-  // -(wall + 1) is the bitwise complement of the wall.
-  const bool is_complemented = is_of_earlier_version_ && !contact.is_collision();
-  append_little_endian(record, is_complemented ? ~contact.second : contact.second);
+  append_little_endian(record, contact.second);
   append_little_endian(record, static_cast<std::uint8_t>(contact.is_collision() ? 0 : 1));
   const Vec3 impulse = contact.impulse();
   append_little_endian(record, impulse.x);
@@ -92,11 +82,9 @@ void NpyEventLog::append(const Contact& contact) {
 void NpyEventLog::flush() {
   // The header never counts records that are not there: it follows the records, but precedes the end of those
   // that an earlier run has left and that flush() cuts off.
-  if (std::exchange(may_count_too_many_, false)) {
-    file_.overwrite(0, header(counted_, is_of_earlier_version_));
-  }
+  if (std::exchange(may_count_too_many_, false)) file_.overwrite(0, header(counted_));
   file_.flush();
-  file_.overwrite(0, header(size_, is_of_earlier_version_));
+  file_.overwrite(0, header(size_));
   counted_ = size_;
   file_.flush_complete();
 }

@@ -22,10 +22,7 @@ struct EventLogPosition {
   std::optional<std::uint64_t> checksum = {};  ///< Of the last records; not known of devices.
 
   friend bool operator==(const EventLogPosition&, const EventLogPosition&) = default;
-  static void persist(auto& archive, auto& self) {
-    archive(self.records);
-    if (archive.version() > 1) archive(self.checksum);
-  }
+  static void persist(auto& archive, auto& self) { archive(self.records, self.checksum); }
 };
 
 /// Writes every collision and wall contact to a NumPy file: one structured array, for numpy.load.
@@ -37,9 +34,6 @@ struct EventLogPosition {
 /// - `kind` u1: 0 a collision, 1 a wall;
 /// - `impulse` 3 f8: the momentum that `first` gained [M L/T];
 /// - `normal_speed` f8: the speed at which the surfaces met [L/T].
-///
-/// Files of earlier versions have `t`, `i` and `j`, an i4 that is -(number + 1) for a wall, and are continued
-/// with these.
 ///
 /// The file can be read while it grows, and after a run that failed: every flush updates the record count in
 /// the header, which has 256 bytes. Source: NumPy enhancement proposal 1, format version 1.0.
@@ -74,7 +68,6 @@ class HARDBALL_EXPORT NpyEventLog {
 
  private:
   OutputFile file_;
-  bool is_of_earlier_version_ = false;
   std::uint64_t size_ = 0;
   std::uint64_t counted_ = 0;        // by the header
   bool may_count_too_many_ = false;  // the header, if the file continues beyond the position

@@ -95,12 +95,9 @@ class HARDBALL_EXPORT RecordingWriter {
     RecordedEpoch epoch;                    // at the begin of the open chunk
 
     static void persist(auto& archive, auto& self) {
-      archive(self.layout.version, self.file);
-      if (archive.version() > 1) archive(self.layout.has_bodies);
-      archive(self.most_contacts, self.has_chunks, self.begin, self.keyframe, self.bodies, self.contacts);
-      if (archive.version() >= kVersionOfGrowth) archive(self.epoch);
+      archive(self.layout.version, self.file, self.layout.has_bodies, self.most_contacts, self.has_chunks,
+              self.begin, self.keyframe, self.bodies, self.contacts, self.epoch);
     }
-    static constexpr std::uint32_t kVersionOfGrowth = 5;  // of archives
     bool restored();
   };
 

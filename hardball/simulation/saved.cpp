@@ -4,7 +4,6 @@
 // A simulation as bytes.
 #include <algorithm>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 #include "hardball/archive/archive.hpp"
@@ -17,24 +16,6 @@
 
 namespace hardball {
 namespace {
-
-// Before version 3, a flag that says nothing.
-struct UnusedFlag {
-  static void persist(auto& archive, auto& /*self*/) {
-    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
-      bool flag = false;
-      if (archive.version() < 3) archive(flag);
-    }
-  }
-};
-
-// Since version 5.
-struct SavedGrowth {
-  std::optional<GrowthSchedule> schedule;
-  static void persist(auto& archive, auto& self) {
-    if (archive.version() >= 5) archive(self.schedule);
-  }
-};
 
 // A sphere as archives have it.
 struct SavedTraveler {
@@ -62,18 +43,15 @@ struct Simulation::Saved {
 
   static void persist(auto& archive, auto& self) {
     archive(self.options, self.setting, self.kind, self.now, self.sums.hash, self.sums.tally, self.counters,
-            self.actors.thermostat.thermostat);
-    if (archive.version() >= kVersionOfGrowth) archive(self.actors.growth.schedule, self.user_data);
+            self.actors.thermostat.thermostat, self.actors.growth.schedule, self.user_data);
   }
-  static constexpr std::uint32_t kVersionOfGrowth = 12;  // of archives
 };
 
 std::string Simulation::save() const {
   if (activity_.kind() == Activity::Kind::running) check_idle("save");
   const Aftermath aftermath = manager_->engine().aftermath();
   return archived(SavedOptions{options()}, engine(), world(), now_, sums_.hash, sums_.tally, thermostat(),
-                  *user_data_, aftermath.merged, UnusedFlag(), counters(), aftermath.collapse,
-                  SavedGrowth{growth()});
+                  *user_data_, aftermath.merged, counters(), aftermath.collapse, growth());
 }
 
 Simulation Simulation::load(std::string_view bytes, const std::string& where, Processes& processes) {
@@ -82,17 +60,10 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where, Pr
   EngineKind kind = EngineKind::automatic;
   World world(Box::open());
   Aftermath aftermath;
-  UnusedFlag unused;
   Counters counters;
-  SavedGrowth growth;
   restore(bytes, where, saved, kind, world, loaded.now_, loaded.sums_.hash, loaded.sums_.tally,
-          loaded.actors_.thermostat.thermostat, *loaded.user_data_, aftermath.merged, unused, counters,
-          aftermath.collapse, growth);
-  loaded.actors_.growth.schedule = growth.schedule;
-  if (saved.responses) {
-    saved.responses->pass_as_in(world.interactions().table());
-    world.set_interactions(*saved.responses);
-  }
+          loaded.actors_.thermostat.thermostat, *loaded.user_data_, aftermath.merged, counters,
+          aftermath.collapse, loaded.actors_.growth.schedule);
   for (const SphereId merged : aftermath.merged.ids()) static_cast<void>(world.slot_of(merged));
   check_division(saved.options, processes, world.box(), world.interactions());
   loaded.begin_loaded(saved.options, kind, counters, world, where, processes);

@@ -91,9 +91,8 @@ class FluidTheory {
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
     archive(self.species_, self.is_flat_, self.holds_, self.has_equal_radii_, self.density_,
-            self.packing_fraction_, self.surface_, self.compressibility_);
-    if (archive.version() >= 2) archive(self.mean_free_path_);
-    if (archive.version() >= 9) archive(self.is_ideal_);
+            self.packing_fraction_, self.surface_, self.compressibility_, self.mean_free_path_,
+            self.is_ideal_);
   }
 
   double spheres() const;

@@ -42,11 +42,7 @@ class HARDBALL_EXPORT Rescale {
  private:
   friend class Persistence;
   Rescale() : Rescale(1, 1) {}
-  static void persist(auto& archive, auto& self) {
-    archive(self.temperature_, self.times_);
-    if (archive.version() >= kVersionOfSlabs) archive(self.slabs_);
-  }
-  static constexpr std::uint32_t kVersionOfSlabs = 8;  // of archives
+  static void persist(auto& archive, auto& self) { archive(self.temperature_, self.times_, self.slabs_); }
 
   void act_in_slabs(const World& world, const Time& moment, std::vector<NewVelocity>& changes) const;
 

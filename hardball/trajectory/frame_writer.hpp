@@ -23,10 +23,7 @@ struct TrajectoryPosition {
       {};  ///< The beginning of the file, where it is overwritten as the file grows; otherwise empty.
 
   friend bool operator==(const TrajectoryPosition&, const TrajectoryPosition&) = default;
-  static void persist(auto& archive, auto& self) {
-    archive(self.frames, self.file);
-    if (archive.version() > 1) archive(self.head);
-  }
+  static void persist(auto& archive, auto& self) { archive(self.frames, self.file, self.head); }
 };
 
 /// A frame whose spheres come in parts, in the order of ids.

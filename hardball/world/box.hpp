@@ -210,17 +210,12 @@ class HARDBALL_EXPORT Box {
  private:
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
-    archive(self.boundary_, self.size_);
-    if (archive.version() >= kVersionOfFaces) archive(self.faces_);
-    if (archive.version() < kVersionOfShear) return;
+    archive(self.boundary_, self.size_, self.faces_);
     Shear shear = self.shear();
     archive(shear);
     if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) self.images_ = {shear, 0, 0};
   }
   bool restored();
-
-  static constexpr std::uint32_t kVersionOfFaces = 2;  // of archives
-  static constexpr std::uint32_t kVersionOfShear = 8;
 
   // Most centers lie in the box, which takes no division to find out.
   bool needs_no_folding(const Vec3& position) const {

@@ -305,16 +305,10 @@ class HARDBALL_EXPORT World : CompilationCheck {
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
     archive(self.box_, self.motion_, self.surfaces_, self.next_id_, self.ids_, self.paths_, self.radii_,
-            self.masses_, self.inertia_factors_, self.folded_, self.spins_, self.species_);
-    if (archive.version() < 3) {
-      persist_passing(archive, self);
-    } else {
-      archive(self.interactions_);
-    }
-    archive(self.last_passage_);
-    if (archive.version() >= kVersionOfLevels) persist_levels(archive, self);
+            self.masses_, self.inertia_factors_, self.folded_, self.spins_, self.species_, self.interactions_,
+            self.last_passage_);
+    persist_levels(archive, self);
   }
-  static constexpr std::uint32_t kVersionOfLevels = 7;  // of archives
   // By slots, each pair once, in the order of slots.
   static void persist_levels(auto& archive, auto& self) {
     std::vector<std::pair<Slot, PairLevel>> pairs;
@@ -325,16 +319,6 @@ class HARDBALL_EXPORT World : CompilationCheck {
         archive.require(slot < self.size() && pair.partner < self.size() && slot < pair.partner);
         self.levels_.set(slot, pair.partner, pair.potential, pair.level);
       }
-    }
-  }
-  // Before version 3, the world knew no other interactions than which species pass through each other.
-  static void persist_passing(auto& archive, auto& self) {
-    std::vector<std::pair<SpeciesId, SpeciesId>> passing;
-    archive(passing);
-    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
-      ResponseTable table;
-      for (const auto& [a, b] : passing) table.set(a, b, Passing());
-      self.interactions_ = table;
     }
   }
   bool restored();

@@ -183,27 +183,5 @@ TEST_F(Resume, ACheckpointFromWhichARunGoesOnIsTheCurrentOne) {
   run({"resume", "out", "--until", "5"});
 }
 
-// Runs to time 10 of version 1, in each of the formats of recordings known then.
-TEST_F(Resume, GoesOnWithARunOfVersion1) {
-  for (const auto& [name, hash] :
-       {std::pair{"bounce", "fe52ada434479641"}, std::pair{"spin", "a5dcaf597b399fdf"}}) {
-    SCOPED_TRACE(name);
-    const std::filesystem::path earlier = std::string(HARDBALL_TEST_SUPPORT "/runs/version_1_") + name;
-    std::filesystem::copy(earlier, folder_ / name);
-    const json summary = run({"resume", name, "--until", "30"});
-    EXPECT_EQ(summary["event_log_hash"], hash);
-    const int contacts = summary["events"]["collision"].get<int>() + summary["events"]["wall"].get<int>();
-    const auto info = [&, directory = std::string(name)](const char* file) {
-      return run_program(folder_, {"info", directory + "/" + file}).output;
-    };
-    EXPECT_NE(info("recording.hbr").find("contacts  " + std::to_string(contacts)), std::string::npos)
-        << info("recording.hbr");
-    for (const char* trajectory : {"trajectory.xyz", "trajectory.gsd"}) {
-      if (!exists(std::string(name) + "/" + trajectory)) continue;
-      EXPECT_NE(info(trajectory).find("frames    13"), std::string::npos) << info(trajectory);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace hardball::resume_test

@@ -114,6 +114,19 @@ TEST(Archive, OfAnImpossibleStateIsRefused) {
   EXPECT_THROW(restore(archived(std::uint8_t{2}, 0.0), "test", kind), Error);
 }
 
+TEST(Archive, OfBeforeTheFirstReleaseIsRefusedByName) {
+  ArchiveWriter archive;
+  archive(ArchiveWriter::kFirstReleased - 1, 1);
+  int number = 0;
+  try {
+    restore(archive.bytes(), "run/checkpoint", number);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "run/checkpoint");
+    EXPECT_EQ(error.remedy(), "start the run again, or end it with the program that wrote it");
+  }
+}
+
 TEST(Archive, OfALaterVersionIsRefusedByName) {
   ArchiveWriter archive;
   archive(ArchiveWriter::kVersion + 1, 1);

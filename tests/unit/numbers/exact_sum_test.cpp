@@ -231,17 +231,6 @@ TEST(ExactSum, ContinuesWhenRestored) {
   }
 }
 
-// A double in place of a sum, as before version 4 of archives.
-TEST(ExactSum, IsReadFromADouble) {
-  for (const double number : {0.0, 0.1, -1e300, kLeast, kInfinity}) {
-    ArchiveWriter writer;
-    writer(std::uint32_t{3}, number);
-    ExactSum sum(7);
-    restore(writer.bytes(), "the test", sum);
-    expect_same(sum.value(), number);
-  }
-}
-
 TEST(ExactSum, RefusesWhatIsNoSum) {
   const auto refuse = [](std::uint8_t specials, std::uint32_t first,
                          const std::vector<std::int64_t>& digits) {

@@ -106,39 +106,6 @@ TEST(NpyEventLog, HasTheNamesOfContacts) {
   EXPECT_EQ(time_in_event_log(header)->name, "time");
 }
 
-// What an earlier version wrote: one collision, and a wall contact if there are two records.
-std::string earlier_log(int records) {
-  std::string header =
-      "{'descr': [('t', '<f8'), ('i', '<u4'), ('j', '<i4'), ('kind', '|u1'), ('impulse', '<f8', (3,)), "
-      "('normal_speed', '<f8')], 'fortran_order': False, 'shape': (" +
-      std::to_string(records) + ",)}";
-  header.resize(kHeaderBytes - 11, ' ');
-  std::string bytes = std::string("\x93NUMPY\x01\x00\xf6\x00", 10) + header + "\n";
-  append_little_endian(bytes, 1.0);
-  append_little_endian(bytes, std::uint32_t{3});
-  append_little_endian(bytes, std::uint32_t{7});
-  bytes += '\0';
-  for (const double number : {-4.0, 0.5, 0.0, 2.0}) append_little_endian(bytes, number);
-  if (records == 1) return bytes;
-  append_little_endian(bytes, 2.0);
-  append_little_endian(bytes, std::uint32_t{3});
-  append_little_endian(bytes, ~std::uint32_t{1});  // -2
-  bytes += '\x01';
-  for (const double number : {-4.0, 0.5, 0.0, 2.0}) append_little_endian(bytes, number);
-  return bytes;
-}
-
-TEST(NpyEventLog, ContinuesAFileOfAnEarlierVersionAsItBegan) {
-  const ScratchFolder folder;
-  write_text(folder / "events.npy", earlier_log(1));
-  ASSERT_TRUE(time_in_event_log(read_npy_header(folder / "events.npy")));
-  EXPECT_EQ(time_in_event_log(read_npy_header(folder / "events.npy"))->name, "t");
-  NpyEventLog log(folder / "events.npy", EventLogPosition{.records = 1});
-  log.append(make_wall_contact(1, 2));
-  log.close();
-  EXPECT_EQ(read_text(folder / "events.npy"), earlier_log(2));
-}
-
 TEST(NpyEventLog, CanBeReadWhileItGrows) {
   const ScratchFolder folder;
   NpyEventLog log(folder / "events.npy");
