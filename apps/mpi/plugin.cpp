@@ -41,10 +41,17 @@ const char* failure(int code) {
   return text.data();
 }
 
+// The communicator of the messages of runs: others in the same process may use MPI, too.
+MPI_Comm in_runs = MPI_COMM_NULL;
 // The communicator of those that end, where no message of a run can be waited for.
 MPI_Comm at_end = MPI_COMM_NULL;
 
 const char* join(std::size_t* rank, std::size_t* size) {
+  // Whoever has started it would also end it, perhaps before `leave`.
+  int is_started = 0;
+  MPI_Initialized(&is_started);
+  if (is_started != 0)
+    return "it runs already; join before anything else starts MPI, as importing mpi4py does";
   int provided = 0;
   // Threads may run, but only the one that calls sends.
   if (const char* const text = failure(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided)))
@@ -58,11 +65,13 @@ const char* join(std::size_t* rank, std::size_t* size) {
   MPI_Comm_size(MPI_COMM_WORLD, &all);
   *rank = static_cast<std::size_t>(own);
   *size = static_cast<std::size_t>(all);
+  if (const char* const text = failure(MPI_Comm_dup(MPI_COMM_WORLD, &in_runs))) return text;
   return failure(MPI_Comm_dup(MPI_COMM_WORLD, &at_end));
 }
 
 void leave() {
   MPI_Comm_free(&at_end);
+  MPI_Comm_free(&in_runs);
   MPI_Finalize();
 }
 
@@ -84,12 +93,12 @@ const char* exchange(const MpiMessage* messages, std::size_t count) {
     const auto peer = static_cast<int>(message.peer);
     code = start_in_pieces(
         message.incoming_size, requests, [&](std::size_t at, int length, MPI_Request* request) {
-          return MPI_Irecv(message.incoming + at, length, MPI_BYTE, peer, 0, MPI_COMM_WORLD, request);
+          return MPI_Irecv(message.incoming + at, length, MPI_BYTE, peer, 0, in_runs, request);
         });
     if (code != MPI_SUCCESS) break;
     code = start_in_pieces(
         message.outgoing_size, requests, [&](std::size_t at, int length, MPI_Request* request) {
-          return MPI_Isend(message.outgoing + at, length, MPI_BYTE, peer, 0, MPI_COMM_WORLD, request);
+          return MPI_Isend(message.outgoing + at, length, MPI_BYTE, peer, 0, in_runs, request);
         });
   }
   if (code == MPI_SUCCESS)
@@ -99,7 +108,7 @@ const char* exchange(const MpiMessage* messages, std::size_t count) {
 
 const char* gather(const void* own, std::size_t size, void* all) {
   const auto length = static_cast<int>(size);
-  return failure(MPI_Allgather(own, length, MPI_BYTE, all, length, MPI_BYTE, MPI_COMM_WORLD));
+  return failure(MPI_Allgather(own, length, MPI_BYTE, all, length, MPI_BYTE, in_runs));
 }
 
 bool do_all_end() {

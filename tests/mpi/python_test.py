@@ -125,6 +125,9 @@ class Processes(unittest.TestCase):
                                 for name, measurement in simulation.results().items()}
             simulation.measure([])
             simulation.remove(3)
+            simulation.threads = 2
+            simulation.run(contacts=200)
+            simulation.threads = 1
             shown["next"] = repr(simulation.next_event())
             shown["never"] = repr(simulation.next_event(simulation.time + 1e-9))
             shown["soon"] = [contact.time for contact in simulation.contacts_within(0.1)]
@@ -255,6 +258,30 @@ class Processes(unittest.TestCase):
 
     def test_an_exception_in_all_ends_all(self):
         self.expect_the_end_of_all("gas(radius=1)", "hardball.Error")
+
+    @unittest.skipUnless(importlib.util.find_spec("mpi4py"), "needs mpi4py")
+    def test_others_use_mpi_too(self):
+        lines = self.shown("""
+            from mpi4py import MPI
+            sent = MPI.COMM_WORLD.isend("for another", dest=1 - processes.rank, tag=0)
+            simulation = gas()
+            simulation.run(until=0.5)
+            shown["received"] = MPI.COMM_WORLD.recv(source=1 - processes.rank, tag=0)
+            sent.wait()
+            shown["sum"] = MPI.COMM_WORLD.allreduce(processes.rank)
+        """, 2)
+        self.assertEqual(lines, 2 * [{"received": "for another", "sum": 1}])
+        self.expect_the_end_of_all("""
+            from mpi4py import MPI
+            if processes.rank == 1:
+                raise ValueError("only here")
+            gas().run(until=100)
+        """, "ValueError: only here")
+        begin = "import mpi4py.MPI\n"
+        done = subprocess.run([*MPIRUN, "-n", "2", sys.executable, "-B", "-c", begin + SETTING], env=ENVIRONMENT,
+                              capture_output=True, text=True, timeout=240)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("MPI failed to start: it runs already", done.stderr)
 
     def test_those_that_have_ended_wait_for_others(self):
         self.shown("""
