@@ -13,7 +13,6 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/interacting.hpp"
-#include "support/scratch_folder.hpp"
 
 namespace hardball::faces_test {
 namespace {
@@ -136,19 +135,6 @@ TEST(Faces, AreSaved) {
   loaded.run_until(60);
   EXPECT_EQ(loaded.event_log_hash(), simulation.event_log_hash());
   EXPECT_GT(simulation.counters().wall, 5U);
-}
-
-// Of states saved before faces had properties.
-TEST(Faces, AreAllPlainInWhatVersion1HasSaved) {
-  for (const char* name : {"world1", "world10", "world11"}) {
-    const std::string saved =
-        support::read_text(HARDBALL_SCENARIOS "/../fuzz/corpus/simulation/" + std::string(name));
-    Simulation loaded = Simulation::load(saved);
-    EXPECT_TRUE(loaded.world().box().has_plain_faces());
-    Simulation again = Simulation::load(loaded.save());
-    for (Simulation* simulation : {&loaded, &again}) simulation->run_contacts(20, simulation->time() + 100);
-    EXPECT_EQ(again.event_log_hash(), loaded.event_log_hash());
-  }
 }
 
 // Planes that faces hide are refused: they would do nothing.
