@@ -81,11 +81,6 @@ def main():
         exec("".join(block for block in shown if "events" in block), found)
         within = (events["time"] >= 2.5) & (events["time"] <= 3.5)
         assert within.any() and (events[within] == found["events"][found["first"]:found["end"]]).all()
-        earlier = events.astype([("t", "<f8"), ("i", "<u4"), ("j", "<i4"), *events.dtype.descr[3:]])
-        earlier["j"][walls] = -1 - earlier["j"][walls]
-        np.save(Path(folder) / "earlier.npy", earlier)
-        assert (found["read_events"](Path(folder) / "earlier.npy") == events).all()
-        assert (found["read_events"](out / "events.npy") == events).all()
         frames = 0
         lines = (out / "trajectory.xyz").read_text().splitlines()
         while lines:
