@@ -16,7 +16,6 @@
 #include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/events/calendar_queue.hpp"
-#include "hardball/events/ordered_queue.hpp"
 #include "hardball/interaction/response_table.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/placement/placement.hpp"
@@ -177,7 +176,6 @@ void register_all() {
     }
   }
   benchmark::RegisterBenchmark("queue/calendar", take_and_schedule<CalendarQueue>)->Arg(4000)->Arg(1000000);
-  benchmark::RegisterBenchmark("queue/ordered", take_and_schedule<OrderedQueue>)->Arg(4000)->Arg(1000000);
   benchmark::RegisterBenchmark("cross/cells/dilute", cross_and_collect<CellGrid>, 0.02, 4.5);
   benchmark::RegisterBenchmark("cross/cells/dense", cross_and_collect<CellGrid>, 0.25, 1.4);
   benchmark::RegisterBenchmark("cross/neighbors/dense", cross_and_collect<NeighborList>, 0.49, 0.25);

@@ -37,7 +37,6 @@ void declare(Arguments arguments, EngineChoice& engine) {
   arguments.add("--cell-edge", engine.cell_edge, "auto|paper|LENGTH",
                 "Edge of the cells; affects only the speed");
   add_unit_costs(arguments, engine.unit_costs);
-  arguments.add("--queue", engine.queue, "calendar|ordered", "Event queue; affects only the speed");
   arguments.add("--instructions", engine.instructions, "auto|portable|avx2|avx512",
                 "Vector instructions; affects only the speed");
   add_threads(arguments, engine.threads);

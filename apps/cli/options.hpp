@@ -31,7 +31,6 @@ struct EngineChoice {
   std::string engine = "auto";
   std::string cell_edge = "auto";
   std::string unit_costs = "auto";
-  std::string queue = "calendar";
   std::string instructions = "auto";
   std::string threads = "auto";
 };

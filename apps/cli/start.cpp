@@ -25,10 +25,9 @@
 namespace hardball::cli {
 namespace {
 
-// In the order of InstructionSet and QueueKind.
+// In the order of InstructionSet.
 constexpr std::array<std::string_view, 4> kInstructionNames{"auto", kInstructionSetNames[0],
                                                             kInstructionSetNames[1], kInstructionSetNames[2]};
-constexpr std::array<std::string_view, 2> kQueueNames{"calendar", "ordered"};
 
 std::size_t choose(const std::string& text, std::span<const std::string_view> names,
                    const std::string& option) {
@@ -59,8 +58,8 @@ UnitCosts shared_unit_costs(const std::string& choice, Processes& processes) {
 }  // namespace
 
 void throw_as_of_command_line(const Error& error) {
-  for (const auto& [option, argument] : {std::pair("cell edge", "--cell-edge"),
-                                         std::pair("threads", "--threads"), std::pair("queue", "--queue")}) {
+  for (const auto& [option, argument] :
+       {std::pair("cell edge", "--cell-edge"), std::pair("threads", "--threads")}) {
     if (error.where() == option) throw Error(error.problem(), argument, error.remedy());
   }
   throw error;
@@ -102,7 +101,6 @@ EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& sc
   EngineOptions engine_options;
   engine_options.engine = static_cast<EngineKind>(choose(choice.engine, kEngineNames, "--engine"));
   engine_options.threads = read_threads(choice.threads);
-  engine_options.queue = static_cast<QueueKind>(choose(choice.queue, kQueueNames, "--queue"));
   const std::size_t instructions = choose(choice.instructions, kInstructionNames, "--instructions");
   if (instructions > 0) engine_options.instructions = static_cast<InstructionSet>(instructions - 1);
   const bool has_cells = engine_options.engine != EngineKind::all_pairs;

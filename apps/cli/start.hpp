@@ -27,7 +27,7 @@ Scenario read_shared_scenario(const ScenarioChoice& choice, Processes& processes
 
 /// The options to run it with. The unit costs for choosing cells are measured if the run is expected to
 /// take long, unless the command line says otherwise; of several processes by the first. Error: an unknown
-/// engine or queue; an edge that is not a positive number; invalid unit costs; several processes are to use
+/// engine; an edge that is not a positive number; invalid unit costs; several processes are to use
 /// the paper's cell edge, for which one must have all spheres.
 EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& scenario, const World& start,
                                   Processes& processes = one_process());

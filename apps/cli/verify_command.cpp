@@ -165,9 +165,6 @@ ExitCode verify(const VerifyOptions& options) {
 
   engine_options.engine = EngineKind::cells;
   comparison.run("cells", engine_options);
-  engine_options.queue = QueueKind::ordered;
-  comparison.run("cells, ordered queue", engine_options);
-  engine_options.queue = QueueKind::calendar;
   compare_cell_edges(comparison, engine_options);
 
   EngineOptions divided = engine_options;

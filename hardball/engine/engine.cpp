@@ -5,6 +5,5 @@
 namespace hardball {
 
 template class Engine<CalendarQueue>;
-template class Engine<OrderedQueue>;
 
 }  // namespace hardball

@@ -20,7 +20,6 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/event_queue.hpp"
-#include "hardball/events/ordered_queue.hpp"
 #include "hardball/execution/aftermath.hpp"
 #include "hardball/execution/execute.hpp"
 #include "hardball/geometry/inlining.hpp"
@@ -404,6 +403,5 @@ class Engine final : public EngineBase {
 };
 
 extern template class Engine<CalendarQueue>;
-extern template class Engine<OrderedQueue>;
 
 }  // namespace hardball

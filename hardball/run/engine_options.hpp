@@ -29,15 +29,8 @@ enum class EngineKind {
 inline constexpr std::array<std::string_view, 5> kEngineNames{"auto", "cells", "neighbors", "all-pairs",
                                                               "paper"};
 
-/// How events are kept in order. The choice changes the speed and never the motion.
-enum class QueueKind {
-  calendar,  ///< Buckets of time.
-  ordered,   ///< A balanced tree.
-};
-
 struct EngineOptions {
   EngineKind engine = EngineKind::automatic;
-  QueueKind queue = QueueKind::calendar;  ///< The paper's engine has its own.
   /// Edge of the cells [L], for engines that have them; if absent, chosen by `tuning` and adapted.
   /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine,
   /// less than the largest diameter.
@@ -58,7 +51,7 @@ struct EngineOptions {
 /// Error: options that are valid for no world; see EngineOptions.
 HARDBALL_EXPORT void check(const EngineOptions& options);
 /// Error: more than 1,024 threads are wanted; more than one, or several processes, and the box or what
-/// happens at contacts does not allow that; several processes, and the engine or the queue does not.
+/// happens at contacts does not allow that; several processes, and the engine does not.
 void check_division(const EngineOptions& options, const Processes& processes, const Box& box,
                     const Interactions& interactions);
 

@@ -87,8 +87,6 @@ std::unique_ptr<EngineBase> make_engine(World world, EngineKind engine, const En
   const bool is_divided = division.domains > 1 && engine != EngineKind::all_pairs;
   if (is_divided || processes.size() > 1)
     return std::make_unique<DomainsEngine>(std::move(world), settings, division, now, processes);
-  if (options.queue == QueueKind::ordered)
-    return std::make_unique<Engine<OrderedQueue>>(std::move(world), settings, now, progress);
   return std::make_unique<Engine<CalendarQueue>>(std::move(world), settings, now, progress);
 }
 
@@ -121,8 +119,6 @@ void check_division(const EngineOptions& options, const Processes& processes, co
     throw Error("the engine " + std::string(kEngineNames[kind]) + " has one process", "engine",
                 "use cells or neighbors, or run it in one process");
   }
-  if (are_several && options.queue != QueueKind::calendar)
-    throw Error("several processes have no other queue than the calendar", "queue", "leave it out");
   if (options.threads > 1 && !hindrance.empty()) {
     throw Error("threads cannot share " + hindrance, "threads", "use one thread, or as many as pay");
   }

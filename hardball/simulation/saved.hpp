@@ -13,9 +13,8 @@ struct SavedOptions {
 
   static void persist(auto& archive, auto& self) {
     auto& options = self.options;
-    archive(options.engine, options.queue, options.cell_edge, options.unit_costs);
-    archive.require(options.engine >= EngineKind::automatic && options.engine <= EngineKind::paper &&
-                    options.queue >= QueueKind::calendar && options.queue <= QueueKind::ordered);
+    archive(options.engine, options.cell_edge, options.unit_costs);
+    archive.require(options.engine >= EngineKind::automatic && options.engine <= EngineKind::paper);
   }
 };
 

@@ -707,7 +707,6 @@ INSTANTIATE_TEST_SUITE_P(
                  "",
                  {"--instructions", "mmx"},
                  {"--instructions: ", "'mmx'", "auto, portable, avx2, avx512"}},
-        BadInput{"NoSuchQueue", "", "", {"--queue", "heap"}, {"--queue: ", "'heap'", "calendar, ordered"}},
         BadInput{"ThreadsAreZero", "", "", {"--threads", "0"}, {"--threads: ", "'0'", "auto or a positive"}},
         BadInput{
             "ThreadsAreAWord", "", "", {"--threads", "all"}, {"--threads: ", "'all'", "auto or a positive"}},

@@ -139,7 +139,7 @@ TEST_F(Documentation, BashCompletesTheWordAtTheCursor) {
 
 TEST_F(Documentation, TheWordsToChooseFromAreThoseThatTheProgramTakes) {
   write_text(folder_ / "gas.toml", support::kSmallGas);
-  for (const std::string option : {"--engine", "--queue", "--instructions"}) {
+  for (const std::string option : {"--engine", "--instructions"}) {
     const std::string message = run_program(folder_, {"check", "gas.toml", option, "nonsense"}).messages;
     std::smatch choices;
     ASSERT_TRUE(std::regex_search(message, choices, std::regex("choose one of ([^\n]*)"))) << message;

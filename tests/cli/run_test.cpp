@@ -175,7 +175,6 @@ TEST_F(Run, HasOneHistoryWhateverTheEngine) {
   EXPECT_EQ(hash({"--engine", "cells"}), expected);
   EXPECT_EQ(hash({"--engine", "paper"}), expected);
   EXPECT_EQ(hash({"--engine", "all-pairs"}), expected);
-  EXPECT_EQ(hash({"--queue", "ordered"}), expected);
   EXPECT_EQ(hash({"--cell-edge", "1.1"}), expected);
   EXPECT_EQ(hash({"--cell-edge", "3.7"}), expected);
   EXPECT_EQ(hash({"--cell-edge", "paper"}), expected);

@@ -58,7 +58,7 @@ TEST_P(EveryScenario, IsTheSameWithAllEngines) {
   const double until = *scenario.until / 4;
   const Outcome outcome = run_program(folder, {"verify", path_of(GetParam()), "--until", to_text(until)});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages << outcome.output;
-  for (const char* line : {"ordered queue", "edge", "paper", "all-pairs", "all runs are the same"}) {
+  for (const char* line : {"three domains", "edge", "paper", "all-pairs", "all runs are the same"}) {
     EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
   }
   EXPECT_FALSE(std::regex_search(outcome.output, std::regex("[^ \n][0-9a-f]{16} +[0-9]+ ")))

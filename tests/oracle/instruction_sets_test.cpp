@@ -14,10 +14,10 @@
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/engine/engine.hpp"
 #include "hardball/events/calendar_queue.hpp"
-#include "hardball/events/ordered_queue.hpp"
 #include "hardball/measure/event_log_hash.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"
+#include "support/ordered_queue.hpp"
 #include "support/random_world.hpp"
 
 namespace hardball::instruction_sets_test {
@@ -26,7 +26,7 @@ namespace {
 constexpr std::array kAllSets = {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512};
 
 using Cells = Engine<CalendarQueue>;
-using Pairs = Engine<OrderedQueue>;
+using Pairs = Engine<support::OrderedQueue>;
 
 // An engine and the hash of its history.
 template <class Made>

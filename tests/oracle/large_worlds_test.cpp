@@ -23,12 +23,7 @@ using support::History;
 constexpr std::uint64_t kWorlds = 24;
 constexpr std::uint64_t kParts = 4;
 
-struct LargeWorld {
-  World world;
-  double restitution = 1;
-};
-
-LargeWorld make_large_world(std::uint64_t seed) {
+World make_large_world(std::uint64_t seed) {
   Random random(seed);
   const auto between = [&](double low, double high) { return low + (high - low) * random.uniform(); };
   const std::size_t least = support::kIsSlowBuild ? 500 : 2000;
@@ -55,7 +50,8 @@ LargeWorld make_large_world(std::uint64_t seed) {
                radii[i],
                radii[i] * radii[i] * radii[i]});
   }
-  return {std::move(world), random.uniform() < 0.6 ? 1 : between(0.7, 1)};
+  world.set_interactions(Restitution(random.uniform() < 0.6 ? 1 : between(0.7, 1)));
+  return world;
 }
 
 class LargeWorlds : public testing::TestWithParam<std::uint64_t> {};
@@ -63,23 +59,23 @@ class LargeWorlds : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(LargeWorlds, HaveOneHistory) {
   for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const LargeWorld made = make_large_world(seed);
-    const double diameter = 2 * made.world.largest_radius();
+    const World world = make_large_world(seed);
+    const double diameter = 2 * world.largest_radius();
     // Spheres that burst into open space meet no more, and need not fly for ever.
     const RunLimits limits{.until = Time(500), .contacts = support::cases(20000)};
     std::vector<EngineOptions> ways;
-    const auto add = [&](EngineKind engine, QueueKind queue, std::optional<double> edge) {
-      ways.push_back({.engine = engine, .queue = queue, .cell_edge = edge});
+    const auto add = [&](EngineKind engine, std::optional<double> edge) {
+      ways.push_back({.engine = engine, .cell_edge = edge});
     };
-    add(EngineKind::automatic, QueueKind::calendar, std::nullopt);
-    add(EngineKind::cells, QueueKind::ordered, diameter);
-    add(EngineKind::cells, QueueKind::calendar, 2.5 * diameter);
-    if (NeighborList::supports(made.world)) add(EngineKind::neighbors, QueueKind::calendar, std::nullopt);
-    if (!support::kIsSlowBuild) add(EngineKind::all_pairs, QueueKind::calendar, std::nullopt);
+    add(EngineKind::automatic, std::nullopt);
+    add(EngineKind::cells, diameter);
+    add(EngineKind::cells, 2.5 * diameter);
+    if (NeighborList::supports(world)) add(EngineKind::neighbors, std::nullopt);
+    if (!support::kIsSlowBuild) add(EngineKind::all_pairs, std::nullopt);
     std::optional<History> expected;
     for (const EngineOptions& way : ways) {
       SCOPED_TRACE(static_cast<int>(way.engine));
-      Simulation simulation(made.world, way);
+      Simulation simulation(world, way);
       const History history = support::run_on(simulation, limits);
       simulation.validate();
       if (!expected) expected = history;

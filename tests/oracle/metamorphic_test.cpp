@@ -36,7 +36,6 @@ EngineOptions some_options(std::uint64_t seed, const RandomWorld& made) {
   if (options.engine == EngineKind::paper && !PaperEngine::supports(made.world)) {
     options.engine = EngineKind::all_pairs;
   }
-  options.queue = seed % 2 == 0 ? QueueKind::calendar : QueueKind::ordered;
   return options;
 }
 

@@ -56,16 +56,15 @@ TEST(Mixtures, HaveTheHistoryOfAllPairs) {
   std::uint64_t suited = 0;
   std::uint64_t contacts = 0;
   for (std::uint64_t seed = 0; seed < support::cases(200); ++seed) {
-    const World world = make_mixture(seed);
+    World world = make_mixture(seed);
     SCOPED_TRACE("seed " + std::to_string(seed));
     const double restitution = seed % 3 == 0 ? 1 : 0.3 + 0.1 * static_cast<double>(seed % 7);
+    world.set_interactions(Restitution(restitution));
     const RunLimits limits{.until = Time(10), .contacts = 100 + seed % 200};
-    std::vector<EngineOptions> ways{{EngineKind::all_pairs, QueueKind::calendar, {}, restitution},
-                                    {EngineKind::automatic, QueueKind::calendar, {}, restitution}};
+    std::vector<EngineOptions> ways{{.engine = EngineKind::all_pairs}, {.engine = EngineKind::automatic}};
     for (const double edge : {0.2, 0.35, 0.6}) {
       if (LargeSphereGrid::supports(world, edge)) ++suited;
-      const QueueKind queue = seed % 2 == 0 ? QueueKind::calendar : QueueKind::ordered;
-      ways.push_back({EngineKind::cells, queue, edge, restitution});
+      ways.push_back({.engine = EngineKind::cells, .cell_edge = edge});
     }
     std::optional<History> expected;
     for (const EngineOptions& way : ways) {

@@ -18,14 +18,10 @@ namespace {
 // Every engine, with cells far smaller than a sphere and cells larger than the box.
 std::vector<EngineOptions> all_ways() {
   std::vector<EngineOptions> ways;
-  for (const QueueKind queue : {QueueKind::calendar, QueueKind::ordered}) {
-    for (const double edge : {0.3, 1.0, 1.1, 2.75, 11.0, 100.0}) {
-      ways.push_back({.engine = EngineKind::cells, .queue = queue, .cell_edge = edge});
-    }
-    ways.push_back({.engine = EngineKind::cells, .queue = queue});
-    ways.push_back({.engine = EngineKind::neighbors, .queue = queue});
-    ways.push_back({.engine = EngineKind::all_pairs, .queue = queue});
-  }
+  for (const double edge : {0.3, 1.0, 1.1, 2.75, 11.0, 100.0})
+    ways.push_back({.engine = EngineKind::cells, .cell_edge = edge});
+  for (const EngineKind engine : {EngineKind::cells, EngineKind::neighbors, EngineKind::all_pairs})
+    ways.push_back({.engine = engine});
   for (const double edge : {1.0, 1.1, 2.75, 11.0, 100.0}) {
     ways.push_back({.engine = EngineKind::paper, .cell_edge = edge});
   }
@@ -40,7 +36,7 @@ std::string name_of(const EngineOptions& options) {
                              : options.engine == EngineKind::all_pairs ? "all pairs"
                                                                        : "paper";
   const std::string edge = options.cell_edge ? std::to_string(*options.cell_edge) : "chosen";
-  return engine + ", edge " + edge + (options.queue == QueueKind::ordered ? ", ordered queue" : "");
+  return engine + ", edge " + edge;
 }
 
 // All these numbers are small dyadic fractions, so nothing is rounded and equality is exact.

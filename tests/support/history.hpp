@@ -22,20 +22,18 @@ struct EngineVariant {
   std::string name;
 };
 
-/// All engines and queues, cells from half a diameter to larger than the box, and neighbor lists where they
+/// All engines, cells from half a diameter to larger than the box, and neighbor lists where they
 /// suit the world.
 inline std::vector<EngineVariant> engine_variants(const World& world) {
   std::vector<EngineVariant> variants;
-  const auto add = [&](EngineKind engine, QueueKind queue, std::optional<double> edge) {
+  const auto add = [&](EngineKind engine, std::optional<double> edge) {
     EngineVariant variant;
     variant.options.engine = engine;
-    variant.options.queue = queue;
     variant.options.cell_edge = edge;
     variant.name = engine == EngineKind::all_pairs   ? "all pairs"
                    : engine == EngineKind::paper     ? "paper"
                    : engine == EngineKind::neighbors ? "neighbors"
                                                      : "cells";
-    variant.name += queue == QueueKind::ordered ? ", ordered queue" : ", calendar queue";
     if (edge) variant.name += ", edge " + to_text(*edge);
     variants.push_back(variant);
   };
@@ -44,22 +42,19 @@ inline std::vector<EngineVariant> engine_variants(const World& world) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_open(axis)) extent = std::max(extent, 1.5 * world.box().size()[axis]);
   }
-  add(EngineKind::all_pairs, QueueKind::calendar, std::nullopt);
-  add(EngineKind::all_pairs, QueueKind::ordered, std::nullopt);
+  add(EngineKind::all_pairs, std::nullopt);
   if (PaperEngine::supports(world)) {
-    add(EngineKind::paper, QueueKind::calendar, diameter);
-    add(EngineKind::paper, QueueKind::calendar, 2.5 * diameter);
+    add(EngineKind::paper, diameter);
+    add(EngineKind::paper, 2.5 * diameter);
   }
-  for (const double edge : {0.5 * diameter, diameter, 1.3 * diameter, 3.1 * diameter, extent}) {
-    add(EngineKind::cells, QueueKind::calendar, edge);
-    add(EngineKind::cells, QueueKind::ordered, edge);
-  }
+  for (const double edge : {0.5 * diameter, diameter, 1.3 * diameter, 3.1 * diameter, extent})
+    add(EngineKind::cells, edge);
   if (world.size() > 0 && NeighborList::supports(world)) {
-    add(EngineKind::neighbors, QueueKind::calendar, std::nullopt);
-    add(EngineKind::neighbors, QueueKind::ordered, 0.05 * diameter);
-    add(EngineKind::neighbors, QueueKind::calendar, diameter);
+    add(EngineKind::neighbors, std::nullopt);
+    add(EngineKind::neighbors, 0.05 * diameter);
+    add(EngineKind::neighbors, diameter);
   }
-  add(EngineKind::automatic, QueueKind::calendar, std::nullopt);
+  add(EngineKind::automatic, std::nullopt);
   return variants;
 }
 

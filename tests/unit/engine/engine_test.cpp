@@ -15,10 +15,10 @@
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/events/calendar_queue.hpp"
-#include "hardball/events/ordered_queue.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/paper/paper_engine.hpp"
 #include "hardball/placement/placement.hpp"
+#include "support/ordered_queue.hpp"
 #include "support/run_engine.hpp"
 
 namespace hardball::engine_test {
@@ -44,7 +44,7 @@ struct CellsWithCalendar {
 };
 struct CellsWithTree {
   static auto make(World world) {
-    return Engine<OrderedQueue>(std::move(world), PhaseSettings(PhaseKind::cells, 0.6), Time(0));
+    return Engine<support::OrderedQueue>(std::move(world), PhaseSettings(PhaseKind::cells, 0.6), Time(0));
   }
 };
 struct AllPairsWithCalendar {
@@ -59,7 +59,7 @@ struct NeighborsWithCalendar {
 };
 struct NeighborsWithTree {
   static auto make(World world) {
-    return Engine<OrderedQueue>(std::move(world), PhaseSettings(PhaseKind::neighbors, 0.1), Time(0));
+    return Engine<support::OrderedQueue>(std::move(world), PhaseSettings(PhaseKind::neighbors, 0.1), Time(0));
   }
 };
 struct Paper {

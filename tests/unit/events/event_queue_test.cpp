@@ -13,9 +13,9 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/events/calendar_queue.hpp"
-#include "hardball/events/ordered_queue.hpp"
 #include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
+#include "support/ordered_queue.hpp"
 
 namespace hardball::event_queue_test {
 namespace {
@@ -127,7 +127,7 @@ Event random_event(Random& random, const Time& now, Waits waits) {
 
 template <class Queue>
 class EveryQueue : public testing::Test {};
-using Queues = testing::Types<CalendarQueue, OrderedQueue>;
+using Queues = testing::Types<CalendarQueue, support::OrderedQueue>;
 TYPED_TEST_SUITE(EveryQueue, Queues);
 
 // A queue and its event table, which a test cannot let get out of step.

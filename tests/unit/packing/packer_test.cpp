@@ -92,8 +92,7 @@ TEST(Packer, AnyNumberOfThreadsAndAnyEngineGivesTheSameBits) {
   std::string first;
   for (const EngineOptions& options :
        {EngineOptions{}, EngineOptions{.engine = EngineKind::all_pairs},
-        EngineOptions{.engine = EngineKind::cells}, EngineOptions{.queue = QueueKind::ordered},
-        EngineOptions{.threads = 2}}) {
+        EngineOptions{.engine = EngineKind::cells}, EngineOptions{.threads = 2}}) {
     Packer packer(planned, options);
     while (!packer.is_over()) packer.advance();
     Packing packing = packing_of(packer);

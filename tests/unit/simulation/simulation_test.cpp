@@ -203,12 +203,12 @@ TEST(Simulation, RefusesOverlapsAndInvalidOptions) {
   overlapping.add({{5, 6, 5}, {}, 1, 1});
   EXPECT_THROW(Simulation{overlapping}, Error);
   for (const EngineOptions& bad :
-       {EngineOptions{EngineKind::cells, QueueKind::calendar, 0.0},
-        EngineOptions{EngineKind::cells, {}, -1.0}, EngineOptions{EngineKind::cells, {}, kNan},
-        EngineOptions{EngineKind::cells, {}, 1e-3}, EngineOptions{EngineKind::paper, {}, 1.9},
-        EngineOptions{EngineKind::cells, {}, kInfinity}, EngineOptions{EngineKind::all_pairs, {}, 1e-70},
-        EngineOptions{.unit_costs = {.contact = kNan}}, EngineOptions{.unit_costs = {.enter = 0, .cell = 0}},
-        EngineOptions{.unit_costs = {.cell = -1}}, EngineOptions{.unit_costs = {.prediction = kInfinity}}}) {
+       {EngineOptions{EngineKind::cells, 0.0}, EngineOptions{EngineKind::cells, -1.0},
+        EngineOptions{EngineKind::cells, kNan}, EngineOptions{EngineKind::cells, 1e-3},
+        EngineOptions{EngineKind::paper, 1.9}, EngineOptions{EngineKind::cells, kInfinity},
+        EngineOptions{EngineKind::all_pairs, 1e-70}, EngineOptions{.unit_costs = {.contact = kNan}},
+        EngineOptions{.unit_costs = {.enter = 0, .cell = 0}}, EngineOptions{.unit_costs = {.cell = -1}},
+        EngineOptions{.unit_costs = {.prediction = kInfinity}}}) {
     EXPECT_THROW(Simulation(head_on_pair(), bad), Error);
   }
 }

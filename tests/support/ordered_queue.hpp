@@ -8,9 +8,9 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
 
-namespace hardball {
+namespace hardball::support {
 
-/// The paper's event tree: a balanced tree of all entries. Slower than CalendarQueue, but obviously correct.
+/// The paper's event tree: a balanced tree of all entries, the slow twin of CalendarQueue.
 /// Cost: O(log n) per operation.
 /// Source: Kim, Guibas and Shin (1997), section 2.
 class OrderedQueue {
@@ -62,4 +62,4 @@ class OrderedQueue {
 
 static_assert(EventQueue<OrderedQueue>);
 
-}  // namespace hardball
+}  // namespace hardball::support
