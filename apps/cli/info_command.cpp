@@ -78,7 +78,7 @@ std::string about_recording(const std::filesystem::path& path) {
   std::uint64_t contacts = 0;
   for (const ChunkExtent& chunk : reader.chunks()) contacts += chunk.contacts;
   std::string text = heading(path, "recording of " + reader.header().name);
-  text += line("version", to_text(reader.header().version));
+  text += line("version", to_text(reader.header().layout().version()));
   text += line("spheres", to_text(reader.header().spheres));
   text += line("contacts", to_text(contacts));
   text += line("time", range(to_text(reader.header().begin), to_text(reader.reached())));

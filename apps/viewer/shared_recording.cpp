@@ -72,8 +72,7 @@ RunProgress SharedRecording::progress() const {
 std::string SharedRecording::header_json() const {
   const std::string& text = reader_.header_text();
   const std::lock_guard lock(mutex_);
-  return text.substr(0, text.find_last_of('}')) + ", \"version\": " + to_text(header().version) +
-         ", \"chunks\": " + to_text(reader_.chunks().size()) + "}";
+  return text.substr(0, text.find_last_of('}')) + ", \"chunks\": " + to_text(reader_.chunks().size()) + "}";
 }
 
 std::string SharedRecording::status_json(std::uint64_t from) const {

@@ -57,7 +57,7 @@ class SharedRecording {
 
   RunProgress progress() const;
   const RecordingHeader& header() const { return reader_.header(); }
-  /// The recording's header and version, and the number of chunks: one JSON object.
+  /// The recording's header and the number of chunks: one JSON object.
   std::string header_json() const;
   /// The progress of the run, and the end times of the chunks from number `from` on: one JSON object.
   std::string status_json(std::uint64_t from) const;

@@ -303,19 +303,15 @@ std::string to_json(const RecordingHeader& header) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-RecordingHeader parse_recording_header(std::string_view json, const std::string& where, int version) {
+RecordingHeader parse_recording_header(std::string_view json, const std::string& where) {
   const HeaderReader in(where);
   const Json object = Json::parse(json, nullptr, false);
   if (object.is_discarded()) in.fail("is not JSON");
   RecordingHeader header;
   header.spheres =
       in.count(in.member(object, "spheres"), "number of spheres", std::numeric_limits<SphereId>::max() - 1.0);
-  header.version = version;
-  // So that no damage to its mark turns a file into one of another version.
-  if (object.contains("bodies") != (version > 2)) in.fail("is of another version than the file");
-  header.has_growth = header.layout().has_growth();
-  if (object.contains("growth") != header.has_growth) in.fail("is of another version than the file");
-  header.has_bodies = version > 2 ? in.truth(object["bodies"]) : version == 2;
+  header.has_bodies = in.truth(in.member(object, "bodies"));
+  in.read(object, "growth", [&](const Json& value) { header.has_growth = in.truth(value); });
   const Json& box = in.member(object, "box");
   header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
   in.read(box, "faces", [&](const Json& value) { in.faces(value, header.box); });

@@ -22,11 +22,12 @@ namespace hardball {
 
 /// The layout of the file, see docs/recording.md.
 namespace recording_format {
-inline constexpr int kVersion = 4;
-/// Of recordings of spheres that do not grow: earlier readers know it.
+/// The version of recordings of spheres that may grow, and of all others.
+inline constexpr int kVersionWithGrowth = 4;
 inline constexpr int kVersionWithoutGrowth = 3;
-inline constexpr std::array<std::string_view, 4> kMagics{"HBREC001", "HBREC002", "HBREC003",
-                                                         "HBREC004"};  // by version, from 1 on
+/// How a file begins, by its version.
+inline constexpr std::string_view kMagicWithGrowth = "HBREC004";
+inline constexpr std::string_view kMagicWithoutGrowth = "HBREC003";
 inline constexpr std::uint64_t kMagicBytes = 8;
 inline constexpr std::uint32_t kChunkMagic = 0x4b4e4843;
 inline constexpr std::uint64_t kLengthBytes = 4;  // of the length of the header's text
@@ -38,26 +39,25 @@ struct Layout {
   static constexpr std::uint64_t kPathBytes = 7 * 8;
   static constexpr std::uint64_t kBodyBytes = 10 * 8;
   static constexpr std::uint64_t kGrowthBytes = 3 * 8;
+  static constexpr std::uint64_t kChecksumBytes = 8;
+  /// Length of the head of a chunk with its checksum.
+  static constexpr std::uint64_t kSummedHeadBytes = kHeadBytes + kChecksumBytes;
 
-  int version = kVersionWithoutGrowth;
   bool has_bodies = false;
+  bool has_growth = false;
 
-  bool has_checksums() const { return version > 2; }
-  bool has_growth() const { return version > kVersionWithoutGrowth; }
+  int version() const { return has_growth ? kVersionWithGrowth : kVersionWithoutGrowth; }
+  std::string_view magic() const { return has_growth ? kMagicWithGrowth : kMagicWithoutGrowth; }
   /// Length of what a chunk says of the growth at its begin.
-  std::uint64_t growth_bytes() const { return has_growth() ? kGrowthBytes : 0; }
-  /// Length of a checksum in bytes; zero without them.
-  std::uint64_t checksum_bytes() const { return has_checksums() ? 8 : 0; }
-  /// Length of the head of a chunk, with its checksum.
-  std::uint64_t head_bytes() const { return kHeadBytes + checksum_bytes(); }
+  std::uint64_t growth_bytes() const { return has_growth ? kGrowthBytes : 0; }
   /// Length of what a keyframe says of a sphere.
   std::uint64_t keyframe_bytes() const { return kPathBytes + (has_bodies ? kBodyBytes : 0); }
   /// Length of a contact.
   std::uint64_t contact_bytes() const { return has_bodies ? 8 + 4 * 4 + 18 * 8 : 8 + 2 * 4 + 12 * 8; }
   /// Length of a chunk. Precondition: both counts are below 2^32.
   std::uint64_t chunk_bytes(std::uint64_t spheres, std::uint64_t contacts) const {
-    return head_bytes() + growth_bytes() + keyframe_bytes() * spheres + contact_bytes() * contacts +
-           checksum_bytes();
+    return kSummedHeadBytes + growth_bytes() + keyframe_bytes() * spheres + contact_bytes() * contacts +
+           kChecksumBytes;
   }
 };
 }  // namespace recording_format
@@ -99,8 +99,6 @@ struct RecordedForce {
 /// A recording is the whole history of a run in a file: where the spheres were at the start, and every
 /// contact with the motion after it. docs/recording.md describes the format.
 struct RecordingHeader {
-  /// Of the format, as read; when written, the latest that is needed. Spheres grow in the last alone.
-  int version = recording_format::kVersionWithoutGrowth;
   bool has_bodies = false;  ///< Whether spheres may spin, merge or pass through each other.
   bool has_growth = false;  ///< Whether spheres may grow.
   std::size_t spheres = 0;  ///< Their ids are below this; without bodies, all of them exist at the start.
@@ -119,17 +117,15 @@ struct RecordingHeader {
   /// What holds spheres that are packed, for viewers; parse_recording_header leaves it out.
   std::vector<RecordedForce> forces = {};
 
-  recording_format::Layout layout() const { return {version, has_bodies}; }
+  recording_format::Layout layout() const { return {has_bodies, has_growth}; }
 };
 
-/// One JSON object; the version is not part of it.
+/// One JSON object.
 HARDBALL_EXPORT std::string to_json(const RecordingHeader& header);
 
-/// The header described by a JSON object in a recording of this version; unknown keys are ignored. `where`
-/// names the recording in messages. Error: it is not such an object, or describes an impossible box or
-/// surface.
-HARDBALL_EXPORT RecordingHeader parse_recording_header(std::string_view json, const std::string& where,
-                                                       int version = recording_format::kVersionWithoutGrowth);
+/// The header described by a JSON object; unknown keys are ignored. `where` names the recording in messages.
+/// Error: it is not such an object, or describes an impossible box or surface.
+HARDBALL_EXPORT RecordingHeader parse_recording_header(std::string_view json, const std::string& where);
 
 /// The motion of a sphere from a contact, or from the start, on.
 struct HARDBALL_EXPORT RecordedPath {

@@ -76,26 +76,30 @@ RecordingReader::RecordingReader(const std::filesystem::path& path, OnDamage on_
   const std::uint64_t text_begin = kMagicBytes + kLengthBytes;
   if (available < text_begin) refuse("is not a recording");
   const std::string start = read_bytes({0, text_begin});
-  const auto* const magic = std::ranges::find(kMagics, start.substr(0, kMagicBytes));
-  if (magic == kMagics.end()) refuse("is not a recording of a known version");
+  const std::string_view magic = std::string_view(start).substr(0, kMagicBytes);
+  if (magic == "HBREC001" || magic == "HBREC002") {
+    throw Error("the recording has a version of before the first release", name_, "record the run again");
+  }
+  if (magic != kMagicWithGrowth && magic != kMagicWithoutGrowth)
+    refuse("is not a recording of a known version");
   const std::uint64_t text_bytes = read_little_endian<std::uint32_t>(start.data() + kMagicBytes);
   spheres_.offset = text_begin + text_bytes;
   if (spheres_.offset > available) refuse("ends within its header");
   header_text_ = read_bytes({text_begin, text_bytes});
-  header_ = parse_recording_header(header_text_, name_, static_cast<int>(magic - kMagics.begin()) + 1);
-  const Layout layout = header_.layout();
+  header_ = parse_recording_header(header_text_, name_);
+  // So that no damage to its mark turns a file into one of another version.
+  if (magic != header_.layout().magic()) refuse("has a header of another version than the file");
   spheres_.length = kSphereBytes * header_.spheres;
-  if (spheres_.length + layout.checksum_bytes() > available - spheres_.offset)
+  if (spheres_.length + Layout::kChecksumBytes > available - spheres_.offset)
     refuse("ends before its spheres");
   const std::string bytes = read_bytes(spheres_);
-  if (layout.has_checksums()) {
-    Crc32 crc;
-    for (const std::string& part : {start, header_text_, bytes}) crc.add(part);
-    const std::string checksum = read_bytes({spheres_.offset + spheres_.length, layout.checksum_bytes()});
-    if (read_little_endian<std::uint64_t>(checksum.data()) != crc.value()) {
-      refuse("is damaged: the header and the spheres, its first " +
-             to_text(spheres_.offset + spheres_.length) + " bytes, do not match their checksum");
-    }
+  Crc32 crc;
+  for (const std::string& part : {start, header_text_, bytes}) crc.add(part);
+  const std::uint64_t end = spheres_.offset + spheres_.length;
+  const std::string checksum = read_bytes({end, Layout::kChecksumBytes});
+  if (read_little_endian<std::uint64_t>(checksum.data()) != crc.value()) {
+    refuse("is damaged: the header and the spheres, its first " + to_text(end) +
+           " bytes, do not match their checksum");
   }
   Numbers numbers(bytes);
   const auto read_all = [&](std::vector<double>& values, const auto& is_valid) {
@@ -110,7 +114,7 @@ RecordingReader::RecordingReader(const std::filesystem::path& path, OnDamage on_
   const bool may_lack = header_.has_bodies;
   read_all(radii_, [&](double value) { return is_positive(value) || (may_lack && value == 0); });
   read_all(masses_, [&](double value) { return is_mass(value) || (may_lack && value == 0); });
-  length_ = spheres_.offset + spheres_.length + layout.checksum_bytes();
+  length_ = end + Layout::kChecksumBytes;
   refresh();
 }
 
@@ -127,8 +131,8 @@ void RecordingReader::refresh() {
 void RecordingReader::find_chunks() {
   const Layout layout = header_.layout();
   const std::uint64_t available = file_length();
-  while (available - length_ >= layout.head_bytes()) {
-    const std::string bytes = read_bytes({length_, layout.head_bytes()});
+  while (available - length_ >= Layout::kSummedHeadBytes) {
+    const std::string bytes = read_bytes({length_, Layout::kSummedHeadBytes});
     Numbers numbers(bytes);
     const auto refuse_unless = [&](bool condition, const std::string& problem) {
       if (!condition) refuse_chunk(chunks_.size(), problem);
@@ -139,10 +143,8 @@ void RecordingReader::find_chunks() {
     chunk.bytes = {length_, numbers.take<std::uint64_t>()};
     chunk.begin = numbers.take<double>();
     chunk.end = numbers.take<double>();
-    if (layout.has_checksums()) {
-      const std::uint32_t crc = crc32_of(std::string_view(bytes).substr(0, Layout::kHeadBytes));
-      refuse_unless(numbers.take<std::uint64_t>() == crc, "has a head that does not match its checksum");
-    }
+    const std::uint32_t crc = crc32_of(std::string_view(bytes).substr(0, Layout::kHeadBytes));
+    refuse_unless(numbers.take<std::uint64_t>() == crc, "has a head that does not match its checksum");
     refuse_unless(chunk.bytes.length == layout.chunk_bytes(header_.spheres, chunk.contacts),
                   "has a length that does not match its contacts");
     refuse_unless(chunk.begin == reached() && chunk.end >= chunk.begin && std::isfinite(chunk.end),
@@ -163,17 +165,14 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   const auto refuse_unless = [&](bool condition) {
     if (!condition) refuse_chunk(chunk, "contains data that no run can produce");
   };
-  const Layout layout = header_.layout();
-  const std::uint64_t head = layout.head_bytes();
-  const std::string bytes = read_bytes({extent.bytes.offset + head, extent.bytes.length - head});
-  if (layout.has_checksums()) {
-    const std::size_t end = bytes.size() - layout.checksum_bytes();
-    if (read_little_endian<std::uint64_t>(&bytes[end]) != crc32_of(std::string_view(bytes).substr(0, end)))
-      refuse_chunk(chunk, "does not match its checksum");
-  }
+  constexpr std::uint64_t kHead = Layout::kSummedHeadBytes;
+  const std::string bytes = read_bytes({extent.bytes.offset + kHead, extent.bytes.length - kHead});
+  const std::size_t end = bytes.size() - Layout::kChecksumBytes;
+  if (read_little_endian<std::uint64_t>(&bytes[end]) != crc32_of(std::string_view(bytes).substr(0, end)))
+    refuse_chunk(chunk, "does not match its checksum");
   Numbers numbers(bytes);
   RecordedChunk recorded{extent.begin, extent.end, {}, {}, {}};
-  if (layout.has_growth()) {
+  if (header_.has_growth) {
     RecordedEpoch& epoch = recorded.epoch;
     for (double* const number : {&epoch.begin, &epoch.scale, &epoch.rate}) *number = numbers.take<double>();
     refuse_unless(is_sound(epoch) && epoch.begin <= extent.begin);
@@ -227,7 +226,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
     }
     refuse_unless(last <= contact.time && contact.time <= extent.end);
     if (contact.is_epoch()) {
-      refuse_unless(layout.has_growth() && is_sound(contact.epoch()));
+      refuse_unless(header_.has_growth && is_sound(contact.epoch()));
       contact.outcome = ContactOutcome::pass;
       last = contact.time;
       recorded.contacts.push_back(contact);

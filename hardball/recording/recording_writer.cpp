@@ -81,9 +81,8 @@ class SummedPart {
     }
     append(block);
   }
-  // Ends the part with its checksum, if the layout has them.
-  void close(const Layout& layout) {
-    if (!layout.has_checksums()) return;
+  // Ends the part with its checksum.
+  void close() {
     std::string checksum;
     append_little_endian(checksum, std::uint64_t{crc_.value()});
     file_->append(checksum);
@@ -114,7 +113,7 @@ std::string preamble(const RecordingHeader& header) {
   std::string text = to_json(header);
   const std::size_t before = kMagicBytes + kLengthBytes;
   while ((before + text.size()) % 8 != 0) text += ' ';
-  std::string bytes(kMagics[static_cast<std::size_t>(header.version - 1)]);
+  std::string bytes(header.layout().magic());
   append_little_endian(bytes, static_cast<std::uint32_t>(text.size()));
   return bytes + text;
 }
@@ -127,7 +126,6 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
   const bool needs_bodies = world.has_spins() || world.has_passing_pairs() || count > world.size();
   const Growth& growth = world.motion().growth();
   header.has_growth = header.has_growth || world.motion().has_growth();
-  header.version = header.has_growth ? recording_format::kVersion : recording_format::kVersionWithoutGrowth;
   state_.epoch = {growth.begin.value(), growth.scale, growth.rate};
   header.has_bodies = header.has_bodies || needs_bodies;
   state_.layout = header.layout();
@@ -151,7 +149,7 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
   if (state_.layout.has_bodies) state_.bodies = std::move(bodies);
   SummedPart start(file_);
   start.append(bytes);
-  start.close(state_.layout);
+  start.close();
   file_.flush_complete();
   state_.file.bytes = file_.size();
 }
@@ -169,14 +167,12 @@ RecordingWriter::State RecordingWriter::restored(std::string_view saved, const s
 }
 
 bool RecordingWriter::State::restored() {
-  if (layout.version < 3) layout.has_bodies = layout.version == 2;
   const auto is_among_them = [this](const RecordedContact& contact) {
-    if (contact.is_epoch()) return layout.has_growth();
+    if (contact.is_epoch()) return layout.has_growth;
     return contact.first < keyframe.size() &&
            (contact.is_wall() || static_cast<std::size_t>(contact.second) < keyframe.size());
   };
-  return layout.version >= 1 && layout.version <= recording_format::kVersion &&
-         bodies.size() == (layout.has_bodies ? keyframe.size() : 0) &&
+  return bodies.size() == (layout.has_bodies ? keyframe.size() : 0) &&
          std::ranges::all_of(contacts, is_among_them);
 }
 
@@ -253,7 +249,7 @@ void RecordingWriter::note(const VelocityChange& change, const World& world) {
 }
 
 void RecordingWriter::note(const Growth& epoch) {
-  HARDBALL_CHECK(state_.layout.has_growth());
+  HARDBALL_CHECK(state_.layout.has_growth);
   add({.time = epoch.begin.value(),
        .first = std::numeric_limits<SphereId>::max(),
        .second = RecordedContact::kEpoch,
@@ -304,7 +300,7 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   summed_head.close(layout);
   const auto behind = state_.contacts.begin() + static_cast<std::ptrdiff_t>(contacts);
   SummedPart body(file_);
-  if (layout.has_growth()) {
+  if (layout.has_growth) {
     std::string epoch;
     for (const double number : {state_.epoch.begin, state_.epoch.scale, state_.epoch.rate})
       append_little_endian(epoch, number);

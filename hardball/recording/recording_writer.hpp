@@ -90,12 +90,12 @@ class HARDBALL_EXPORT RecordingWriter {
     bool has_chunks = false;
     double begin = 0;                       // of the open chunk
     std::vector<RecordedPath> keyframe;     // of the open chunk
-    std::vector<RecordedBody> bodies;       // likewise, if the layout has them
+    std::vector<RecordedBody> bodies;       // of the open chunk, if the layout has them
     std::vector<RecordedContact> contacts;  // of the open chunk, so far
     RecordedEpoch epoch;                    // at the begin of the open chunk
 
     static void persist(auto& archive, auto& self) {
-      archive(self.layout.version, self.file, self.layout.has_bodies, self.most_contacts, self.has_chunks,
+      archive(self.layout.has_growth, self.file, self.layout.has_bodies, self.most_contacts, self.has_chunks,
               self.begin, self.keyframe, self.bodies, self.contacts, self.epoch);
     }
     bool restored();

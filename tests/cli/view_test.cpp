@@ -206,7 +206,7 @@ TEST_F(View, RefusesWhatItCannotDo) {
 
 TEST_F(View, RefusesAnInvalidRecording) {
   std::filesystem::create_directory(folder_ / "out");
-  write_text(folder_ / "out/recording.hbr", "HBREC001 and then nonsense");
+  write_text(folder_ / "out/recording.hbr", "HBREC003 and then nonsense");
   const Outcome outcome = run_program(folder_, {"view", "out", "--no-open"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.messages.find("recording.hbr"), std::string::npos) << outcome.messages;

@@ -17,7 +17,8 @@ namespace hardball::support {
 inline std::string with_true_checksums(std::string bytes) {
   using namespace recording_format;
   const std::uint64_t text_begin = kMagicBytes + kLengthBytes;
-  if (!bytes.starts_with(kMagics.back()) || bytes.size() < text_begin) return bytes;
+  const bool is_recording = bytes.starts_with(kMagicWithGrowth) || bytes.starts_with(kMagicWithoutGrowth);
+  if (!is_recording || bytes.size() < text_begin) return bytes;
   const std::uint64_t text_bytes = read_little_endian<std::uint32_t>(&bytes[kMagicBytes]);
   RecordingHeader header;
   try {
@@ -28,7 +29,7 @@ inline std::string with_true_checksums(std::string bytes) {
   const Layout layout = header.layout();
   // Whether there is room for a checksum of the bytes before `end`.
   const auto seal = [&](std::uint64_t begin, std::uint64_t end) {
-    if (end > bytes.size() || bytes.size() - end < layout.checksum_bytes()) return false;
+    if (end > bytes.size() || bytes.size() - end < Layout::kChecksumBytes) return false;
     std::string checksum;
     append_little_endian(checksum,
                          std::uint64_t{crc32_of(std::string_view(bytes).substr(begin, end - begin))});
@@ -37,11 +38,11 @@ inline std::string with_true_checksums(std::string bytes) {
   };
   std::uint64_t at = text_begin + text_bytes + kSphereBytes * header.spheres;
   for (std::uint64_t begin = 0; seal(begin, at);) {
-    begin = at + layout.checksum_bytes();
+    begin = at + Layout::kChecksumBytes;
     if (!seal(begin, begin + Layout::kHeadBytes)) break;
     const std::uint64_t contacts = read_little_endian<std::uint32_t>(&bytes[begin + 4]);
-    at = begin + layout.chunk_bytes(header.spheres, contacts) - layout.checksum_bytes();
-    begin += layout.head_bytes();
+    at = begin + layout.chunk_bytes(header.spheres, contacts) - Layout::kChecksumBytes;
+    begin += Layout::kSummedHeadBytes;
   }
   return bytes;
 }

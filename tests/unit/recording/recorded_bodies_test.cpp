@@ -335,8 +335,8 @@ TEST(RecordedBodies, ThatNoRunCanProduceAreRefused) {
   const ScratchFolder folder;
   const std::string bytes = merger(folder);
   const std::size_t chunk = RecordingReader(folder / "merger.hbr").chunks().at(0).bytes.offset;
-  const std::size_t body = chunk + kLayout.head_bytes() + 2 * recording_format::Layout::kPathBytes;
-  const std::size_t contact = bytes.size() - kLayout.checksum_bytes() - kLayout.contact_bytes();
+  const std::size_t body = chunk + recording_format::Layout::kSummedHeadBytes + 2 * recording_format::Layout::kPathBytes;
+  const std::size_t contact = bytes.size() - recording_format::Layout::kChecksumBytes - kLayout.contact_bytes();
   const auto with = [&](std::size_t at, const std::string& replacement) {
     std::string changed = bytes;
     changed.replace(at, replacement.size(), replacement);
@@ -360,10 +360,10 @@ TEST(RecordedBodies, ThatNoRunCanProduceAreRefused) {
 TEST(RecordedBodies, NeedRunsOfSpeciesThatNameAllSpheres) {
   const auto species_in = [](const std::string& species) {
     return parse_recording_header(
-               R"({"spheres": 3, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]},
+               R"({"spheres": 3, "bodies": true, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]},
                    "species": )" +
                    species + "}",
-               "test", 1)
+               "test")
         .species;
   };
   EXPECT_EQ(species_in(R"({"runs": [[4, 1], [2, 2]]})"), (std::vector<SpeciesId>{4, 2, 2}));

@@ -44,7 +44,7 @@ TEST(RecordedGrowth, HasSpheresTouchAtTheirContacts) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
     const Simulation simulation = record(folder / "run.hbr", boundary);
     RecordingReader reader(folder / "run.hbr");
-    EXPECT_EQ(reader.header().version, 4);
+    EXPECT_EQ(reader.header().layout().version(), 4);
     EXPECT_TRUE(reader.header().has_growth);
     const Box& box = reader.header().box;
     std::uint64_t contacts = 0;
@@ -80,7 +80,7 @@ TEST(RecordedGrowth, IsNotInOtherRecordings) {
   const ScratchFolder folder;
   Simulation simulation(support::make_gas({.count = 20, .packing_fraction = 0.2}));
   RecordingWriter(folder / "run.hbr", recording_header(simulation), simulation.world()).close(0);
-  EXPECT_EQ(RecordingReader(folder / "run.hbr").header().version, 3);
+  EXPECT_EQ(RecordingReader(folder / "run.hbr").header().layout().version(), 3);
 }
 
 }  // namespace

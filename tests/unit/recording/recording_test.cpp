@@ -145,17 +145,17 @@ TEST(Recording, ContainsGravityAndSurfaces) {
 
 TEST(Recording, WithoutGravityAndSurfacesThereAreNone) {
   const RecordingHeader header = parse_recording_header(
-      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})", "test", 1);
+      R"({"spheres": 2, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})", "test");
   EXPECT_EQ(header.gravity, Vec3{});
   EXPECT_TRUE(header.surfaces.empty());
 }
 
 TEST(Recording, KeysOfASurfaceWithoutMeaningMayBeAbsent) {
   const RecordingHeader header = parse_recording_header(
-      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}, "surfaces": [
+      R"({"spheres": 2, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}, "surfaces": [
          {"shape": "plane", "point": [1, 2, 3], "direction": [0, 0, 1]},
          {"shape": "obstacle", "point": [1, 2, 3], "radius": 2, "more": []}]})",
-      "test", 1);
+      "test");
   ASSERT_EQ(header.surfaces.size(), 2U);
   EXPECT_EQ(header.surfaces[0], (RecordedSurface{.point = {1, 2, 3}}));
   EXPECT_EQ(header.surfaces[1],
@@ -508,8 +508,8 @@ TEST(Recording, RefusesWhatNoRunCanProduce) {
   const RecordingReader whole(folder / "small.hbr");
   const std::size_t chunk = whole.chunks()[0].bytes.offset;
   const recording_format::Layout layout = whole.header().layout();
-  const std::size_t path = chunk + layout.head_bytes();
-  const std::size_t contact = bytes.size() - layout.checksum_bytes() - layout.contact_bytes();
+  const std::size_t path = chunk + recording_format::Layout::kSummedHeadBytes;
+  const std::size_t contact = bytes.size() - recording_format::Layout::kChecksumBytes - layout.contact_bytes();
   const auto with = [&](std::size_t at, const std::string& replacement) {
     std::string changed = bytes;
     changed.replace(at, replacement.size(), replacement);
@@ -539,56 +539,27 @@ TEST(Recording, RefusesWhatNoRunCanProduce) {
 TEST(Recording, AllocatesNoMoreMemoryThanTheFileJustifies) {
   const ScratchFolder folder;
   const std::string json =
-      R"({"spheres": 4000000000, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})";
+      R"({"spheres": 4000000000, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})";
   const std::string length{static_cast<char>(json.size()), '\0', '\0', '\0'};
-  EXPECT_FALSE(is_read(folder, "HBREC001" + length + json + std::string(1000, '\0')));
+  EXPECT_FALSE(is_read(folder, "HBREC003" + length + json + std::string(1000, '\0')));
 }
 
-// Two spheres on a line that meet at time 1 and end in one chunk, as version 1 and 2 have them.
-TEST(Recording, OfEarlierVersionsIsRead) {
+TEST(Recording, OfBeforeTheFirstReleaseIsRefused) {
   const ScratchFolder folder;
-  const auto text = [](std::initializer_list<double> numbers) {
-    std::string bytes;
-    for (const double number : numbers) append_little_endian(bytes, number);
-    return bytes;
-  };
-  const auto integer = [](auto number) {
-    std::string bytes;
-    append_little_endian(bytes, number);
-    return bytes;
-  };
-  for (const int version : {1, 2}) {
-    const bool has_bodies = version == 2;
-    std::string header =
-        R"({"spheres": 2, "box": {"size": [9, 9, 9], "boundary": ["wall", "wall", "wall"]}})";
-    header.resize((header.size() + 12 + 7) / 8 * 8 - 12, ' ');
-    const std::string nothing = text({0, 0, 0});
-    const std::string spin = has_bodies ? nothing : "";
-    const std::string body = has_bodies ? nothing + text({0, 0, 0, 1, 0.5, 1, 0.4}) : "";
-    const std::string contact = text({1}) + integer(std::uint32_t{0}) + integer(std::uint32_t{1}) +
-                                (has_bodies ? integer(std::uint64_t{0}) : "") + text({3, 1, 1, -1, 0, 0}) +
-                                spin + text({4, 1, 1, 1, 0, 0}) + spin;
-    const std::string rest = text({2, 1, 1, 1, 0, 0, 0, 5, 1, 1, -1, 0, 0, 0}) + body + body + contact;
-    const std::string chunk = integer(recording_format::kChunkMagic) + integer(std::uint32_t{1}) +
-                              integer(std::uint64_t{32 + rest.size()}) + text({0, 2}) + rest;
-    write_text(folder / "old.hbr",
-               std::string(recording_format::kMagics[static_cast<std::size_t>(version - 1)]) +
-                   integer(static_cast<std::uint32_t>(header.size())) + header + text({0.5, 0.5, 1, 1}) +
-                   chunk);
+  write_text(folder / "old.hbr", "HBREC002" + std::string(100, '\0'));
+  try {
     RecordingReader reader(folder / "old.hbr");
-    EXPECT_EQ(reader.header().version, version);
-    EXPECT_EQ(reader.header().has_bodies, has_bodies);
-    ASSERT_EQ(reader.chunks().size(), 1U);
-    const RecordedChunk read = reader.read(0);
-    EXPECT_EQ(read.paths_at(1.5)[1], (RecordedPath{{4, 1, 1}, {1, 0, 0}, 1}));
-    EXPECT_EQ(read.bodies_at(1.5)[1], (RecordedBody{.radius = 0.5, .mass = 1}));
+    FAIL() << "the recording was accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(error.problem().find("before the first release"), std::string::npos) << error.what();
+    EXPECT_EQ(error.remedy(), "record the run again");
   }
 }
 
 TEST(Recording, InvalidHeadersAreRefused) {
-  const std::string box = R"("box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
+  const std::string box = R"("bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
   EXPECT_EQ(
-      parse_recording_header(R"({"more": {"a": [1, {}, null, "x"]}, "spheres": 2, )" + box + "} ", "x", 1)
+      parse_recording_header(R"({"more": {"a": [1, {}, null, "x"]}, "spheres": 2, )" + box + "} ", "x")
           .spheres,
       2U);
   const std::vector<std::string> nonsense{
@@ -621,14 +592,14 @@ TEST(Recording, InvalidHeadersAreRefused) {
       R"({"spheres": 2, "bonds": [[-1, 0]], )" + box + "}",
       R"({"spheres": 2, "bonds": [[1, 1]], )" + box + "}",
       R"({"spheres": 0, "bonds": [[0, 0]], )" + box + "}",
-      R"({"spheres": 2, "box": {"size": [0, 1, 1], "boundary": ["wall", "wall", "wall"]}})",
-      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall"]}})",
-      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall", "wall"]}})",
-      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "door"]}})",
+      R"({"spheres": 2, "bodies": false, "box": {"size": [0, 1, 1], "boundary": ["wall", "wall", "wall"]}})",
+      R"({"spheres": 2, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall"]}})",
+      R"({"spheres": 2, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall", "wall"]}})",
+      R"({"spheres": 2, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "door"]}})",
       R"({"deep": )" + std::string(100000, '['),
   };
   for (const std::string& json : nonsense) {
-    EXPECT_THROW(parse_recording_header(json, "test", 1), Error) << json.substr(0, 80);
+    EXPECT_THROW(parse_recording_header(json, "test"), Error) << json.substr(0, 80);
   }
 }
 
@@ -662,9 +633,9 @@ TEST(Recording, WhateverAHeaderContainsIsReadOrRefused) {
 
 // The message with which a header with these surfaces is refused; empty if it is read.
 std::string refusal_of_surfaces(const std::string& surfaces) {
-  const std::string box = R"("box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
+  const std::string box = R"("bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
   try {
-    parse_recording_header(R"({"spheres": 2, )" + box + R"(, "surfaces": )" + surfaces + "}", "run.hbr", 1);
+    parse_recording_header(R"({"spheres": 2, )" + box + R"(, "surfaces": )" + surfaces + "}", "run.hbr");
     return "";
   } catch (const Error& error) {
     return error.what();

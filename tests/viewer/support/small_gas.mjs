@@ -155,73 +155,34 @@ function dot(a, b) {
 }
 
 /**
- * The bytes of a recording; `chunks`: a list of {begin, end, keyframe, contacts}. Where they also have `bodies`, and
- * contacts a `fate`, it is of version 2.
+ * The bytes of a recording; `chunks`: a list of {begin, end, keyframe, contacts}. Where they also have `bodies`,
+ * contacts have a `fate`; where they have an `epoch`, of three numbers, spheres grow.
  */
 export function writeRecording(header, radii, masses, chunks) {
-  let text = JSON.stringify(header);
-  while ((12 + text.length) % 8 !== 0) text += ' ';
   const hasBodies = chunks.some(({ bodies }) => bodies !== undefined);
-  const [ofSphere, ofContact] = hasBodies ? [136, 168] : [56, 112];
-  const lengths = chunks.map(({ contacts }) => 32 + ofSphere * radii.length + ofContact * contacts.length);
-  const bytes = new ArrayBuffer(
-    12 + text.length + 16 * radii.length + lengths.reduce((sum, length) => sum + length, 0),
-  );
-  const view = new DataView(bytes);
-  let offset = 0;
-  const letters = (word) => [...word].forEach((letter) => view.setUint8(offset++, letter.charCodeAt(0)));
-  const number = (value) => (view.setFloat64(offset, value, true), (offset += 8));
-  const integer = (value) => (view.setUint32(offset, value >>> 0, true), (offset += 4));
-  letters(hasBodies ? 'HBREC002' : 'HBREC001');
-  integer(text.length);
-  letters(text);
-  [...radii, ...masses].forEach(number);
-  chunks.forEach(({ begin, end, keyframe, bodies = [], contacts }, k) => {
-    integer(0x4b4e4843);
-    integer(contacts.length);
-    view.setBigUint64(offset, BigInt(lengths[k]), true);
-    offset += 8;
-    [begin, end, ...keyframe, ...bodies].forEach(number);
-    for (const { time, first, second, fate, numbers } of contacts) {
-      number(time);
-      integer(first);
-      integer(second);
-      if (hasBodies) [fate, 0].forEach(integer);
-      numbers.forEach(number);
-    }
-  });
-  return bytes;
-}
-
-/**
- * A recording of version 1 or 2 as one of version 3, with checksums; with `epochs`, three numbers for each chunk,
- * as one of version 4.
- */
-export function withChecksums(bytes, epochs = null) {
-  const old = Buffer.from(bytes);
+  const grows = chunks.some(({ epoch }) => epoch !== undefined);
+  let text = JSON.stringify({ ...header, bodies: hasBodies, ...(grows ? { growth: true } : {}) });
+  while ((12 + text.length) % 8 !== 0) text += ' ';
   const parts = [];
   const seal = (...part) => {
     const checksum = Buffer.alloc(8);
     checksum.writeUInt32LE(zlib.crc32(Buffer.concat(part)));
     parts.push(...part, checksum);
   };
-  const textEnd = 12 + old.readUInt32LE(8);
-  const header = JSON.parse(old.subarray(12, textEnd).toString());
-  const growth = epochs ? { growth: true } : {};
-  let text = JSON.stringify({ ...header, ...growth, bodies: old.subarray(0, 8).toString() === 'HBREC002' });
-  while ((12 + text.length) % 8 !== 0) text += ' ';
-  const length = Buffer.alloc(4);
-  length.writeUInt32LE(text.length);
-  let at = textEnd + 16 * header.spheres;
-  seal(Buffer.from(epochs ? 'HBREC004' : 'HBREC003'), length, Buffer.from(text), old.subarray(textEnd, at));
-  for (let chunk = 0; at < old.length; ++chunk) {
-    const epoch = Buffer.from(Float64Array.from(epochs?.[chunk] ?? []).buffer);
-    const end = at + Number(old.readBigUInt64LE(at + 8));
-    const head = Buffer.from(old.subarray(at, at + 32));
-    head.writeBigUInt64LE(BigInt(end - at + 16 + epoch.length), 8);
-    seal(head);
-    seal(epoch, old.subarray(at + 32, end));
-    at = end;
+  const numbers = (values) => Buffer.from(Float64Array.from(values).buffer);
+  const integers = (...values) => Buffer.from(Uint32Array.from(values, (value) => value >>> 0).buffer);
+  seal(Buffer.from(grows ? 'HBREC004' : 'HBREC003'), integers(text.length), Buffer.from(text), numbers([...radii, ...masses]));
+  for (const { begin, end, epoch = [], keyframe, bodies = [], contacts } of chunks) {
+    const rest = Buffer.concat([
+      numbers([...epoch, ...keyframe, ...bodies]),
+      ...contacts.flatMap(({ time, first, second, fate, numbers: moves }) => [
+        numbers([time]),
+        integers(first, second, ...(hasBodies ? [fate, 0] : [])),
+        numbers(moves),
+      ]),
+    ]);
+    seal(integers(0x4b4e4843, contacts.length, 48 + rest.length, 0), numbers([begin, end]));
+    seal(rest);
   }
   return Uint8Array.from(Buffer.concat(parts)).buffer;
 }

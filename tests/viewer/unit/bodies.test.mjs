@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Spheres that spin, merge, pass through each other, or are kinematic: version 2 of the format.
+// Spheres that spin, merge, pass through each other, or are kinematic: recordings with bodies.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Bodies, turned } from '../../../apps/viewer/page/src/motion/bodies.js';

@@ -78,7 +78,7 @@ export class Viewer {
     this.bodies = this.playback.bodies;
     this.spheresAtStart = this.bodies.count;
     /** Whether spheres may spin, merge, and pass through each other. */
-    this.canTurn = header.bodies ?? header.version > 1;
+    this.canTurn = header.bodies;
     /** Whether the recording is of one moment, as that of a packing is. */
     this.isStill = header.until !== null && header.until <= header.begin && this.player.knownEnd <= header.begin;
     /** Whether it is, and no sphere moves at that moment; known from the first frame on. */

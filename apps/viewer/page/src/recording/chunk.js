@@ -23,18 +23,13 @@ const kEpoch = -(2 ** 31); // in place of a contact's second sphere, where an ep
 const kWithoutBodies = { bodies: 0, contact: 14, first: 2, second: 8 };
 const kWithBodies = { bodies: kBodyNumbers, contact: 21, first: 3, second: 12 };
 
-function layoutOf({ version, bodies }) {
-  return (version > 2 ? bodies : version === 2) ? kWithBodies : kWithoutBodies;
+function layoutOf({ bodies }) {
+  return bodies ? kWithBodies : kWithoutBodies;
 }
 
-/** The length of each checksum in a recording of this version. */
-export function checksumBytes(version) {
-  return version > 2 ? kChecksumBytes : 0;
-}
-
-/** How many numbers a chunk of a recording of this version has for the growth at its begin. */
-function growthNumbers(version) {
-  return version > 3 ? kGrowthNumbers : 0;
+/** How many numbers a chunk has for the growth at its begin. */
+function growthNumbers({ growth }) {
+  return growth ? kGrowthNumbers : 0;
 }
 
 const kPass = 1;
@@ -45,16 +40,15 @@ const kMerge = 2;
  * Error: there is no chunk of a recording with such a header.
  */
 export function chunkLength(buffer, offset, header) {
-  const checksum = checksumBytes(header.version);
-  if (buffer.byteLength - offset < kHeadBytes + checksum) return undefined;
+  if (buffer.byteLength - offset < kHeadBytes + kChecksumBytes) return undefined;
   const { bodies, contact } = layoutOf(header);
   const view = new DataView(buffer, offset, kHeadBytes);
   const contacts = view.getUint32(4, true);
   const length = Number(view.getBigUint64(8, true));
   const numbers =
-    growthNumbers(header.version) + (kPathNumbers + bodies) * header.spheres + contact * contacts;
-  const isSound = checksum === 0 || hasItsChecksum(buffer, offset, offset + kHeadBytes);
-  if (!isSound || view.getUint32(0, true) !== kMagic || length !== kHeadBytes + 8 * numbers + 2 * checksum) {
+    growthNumbers(header) + (kPathNumbers + bodies) * header.spheres + contact * contacts;
+  const isSound = hasItsChecksum(buffer, offset, offset + kHeadBytes);
+  if (!isSound || view.getUint32(0, true) !== kMagic || length !== kHeadBytes + 8 * numbers + 2 * kChecksumBytes) {
     throw new Error(`the recording is damaged: no chunk at byte ${offset}`);
   }
   return buffer.byteLength - offset < length ? undefined : length;
@@ -75,11 +69,10 @@ export class Chunk {
     if (length === undefined) throw new Error('the recording is damaged: a chunk is truncated');
     const view = new DataView(buffer, offset, kHeadBytes);
     const sphereCount = header.spheres;
-    const checksum = checksumBytes(header.version);
     this.layout = layoutOf(header);
-    const body = offset + kHeadBytes + checksum;
-    const keyframe = body + 8 * growthNumbers(header.version);
-    if (checksum > 0 && !hasItsChecksum(buffer, body, offset + length - checksum)) {
+    const body = offset + kHeadBytes + kChecksumBytes;
+    const keyframe = body + 8 * growthNumbers(header);
+    if (!hasItsChecksum(buffer, body, offset + length - kChecksumBytes)) {
       const begin = view.getFloat64(16, true);
       throw new Error(`the recording is damaged after time ${begin}: wrong checksum at byte ${offset}`);
     }
@@ -98,7 +91,7 @@ export class Chunk {
     /** The bodies likewise, shape (spheres, kBodyNumbers); null where they stay as they were. */
     this.bodies =
       this.layout.bodies > 0 ? new Float64Array(buffer, bodies, kBodyNumbers * sphereCount) : null;
-    const [since, scale, rate] = new Float64Array(buffer, body, growthNumbers(header.version));
+    const [since, scale, rate] = new Float64Array(buffer, body, growthNumbers(header));
     /** The epoch of growth at `begin`: since when [T], the scale of all radii then, and its rate [1/T]. */
     this.epoch = { since: since ?? 0, scale: scale ?? 1, rate: rate ?? 0 };
     this.numbers = new Float64Array(buffer, first, this.layout.contact * this.contacts);

@@ -1,30 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { Chunk, checksumBytes, chunkLength } from './chunk.js';
+import { Chunk, chunkLength, kChecksumBytes } from './chunk.js';
 import { hasItsChecksum } from './crc32.js';
 
-const kMagics = ['HBREC001', 'HBREC002', 'HBREC003', 'HBREC004']; // by version, from 1 on
+const kMagics = { plain: 'HBREC003', growing: 'HBREC004' };
 
 /**
- * Reads a whole recording: its header and version, radii [L], masses [M], and chunks, which are views of `buffer`.
+ * Reads a whole recording: its header, radii [L], masses [M], and chunks, which are views of `buffer`.
  * A truncated last chunk is ignored. `damage` says what is wrong after the chunks, or is null. Error: not a recording;
  * its header or the radii or masses are damaged.
  */
 export function readRecording(buffer) {
   const magic = new TextDecoder().decode(new Uint8Array(buffer, 0, Math.min(8, buffer.byteLength)));
-  const version = kMagics.indexOf(magic) + 1;
-  if (version === 0) throw new Error(`not a recording of a known version: it starts with '${magic}'`);
+  if (!Object.values(kMagics).includes(magic)) throw new Error(`not a recording of a known version: it starts with '${magic}'`);
   const headerLength = new DataView(buffer).getUint32(8, true);
   if (buffer.byteLength - 12 < headerLength) throw new Error('the recording is damaged: it ends within its header');
-  const header = { ...JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 12, headerLength))), version };
+  const header = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 12, headerLength)));
   // So that no damage to its mark turns a recording into one of another version.
-  const saysBodies = 'bodies' in header;
-  if (saysBodies !== version > 2 || 'growth' in header !== version > 3) throw new Error('the recording is damaged: of another version');
+  if (magic !== (header.growth ? kMagics.growing : kMagics.plain)) {
+    throw new Error('the recording is damaged: of another version');
+  }
   const radiiStart = 12 + headerLength;
   const massesStart = radiiStart + 8 * header.spheres;
-  const checksum = checksumBytes(version);
   const spheresEnd = massesStart + 8 * header.spheres;
-  if (buffer.byteLength - spheresEnd < checksum || (checksum > 0 && !hasItsChecksum(buffer, 0, spheresEnd))) {
+  if (buffer.byteLength - spheresEnd < kChecksumBytes || !hasItsChecksum(buffer, 0, spheresEnd)) {
     throw new Error('the recording is damaged: its header or its spheres do not match their checksum');
   }
   const radii = new Float64Array(buffer, radiiStart, header.spheres);
@@ -33,7 +32,7 @@ export function readRecording(buffer) {
   const chunks = [];
   let damage = null;
   try {
-    let offset = spheresEnd + checksum;
+    let offset = spheresEnd + kChecksumBytes;
     for (;;) {
       const length = chunkLength(buffer, offset, header);
       if (length === undefined) break;
