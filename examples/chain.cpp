@@ -6,6 +6,8 @@
 #include <cstdio>
 
 #include "hardball/hardball.hpp"
+#include "hardball/world/step_levels.hpp"
+#include "hardball/world/totals.hpp"
 
 int main() {
   hardball::World world(hardball::Box::walls({12, 12, 12}));
@@ -21,7 +23,7 @@ int main() {
   hardball::Interactions interactions;
   interactions.set_steps(table);
   world.set_interactions(interactions);
-  for (hardball::SphereId id = 1; id < world.size(); ++id) world.add_bond(id - 1, id, bond);
+  for (hardball::SphereId id = 1; id < world.size(); ++id) add_bond(world, id - 1, id, bond);
 
   hardball::Simulation simulation(world);
   int entered = 0;
@@ -34,6 +36,6 @@ int main() {
   });
   simulation.run_until(20);
   std::printf("wells: %d entered, %d left; %d times held back by wells and tethers\n", entered, left, held);
-  std::printf("energy %.6f, of potentials %.6f\n", simulation.world().energy(simulation.now()),
-              simulation.world().step_energy());
+  std::printf("energy %.6f, of potentials %.6f\n", energy(simulation.world(), simulation.now()),
+              step_energy(simulation.world()));
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hardball/hardball.hpp"
+#include "hardball/world/totals.hpp"
 
 namespace {
 
@@ -36,7 +37,7 @@ int main() {
     }
     simulation.run_until(second + 1);
     std::printf("time %g: %zu beads, kinetic energy %.4f, %llu collisions and %llu wall contacts so far\n",
-                simulation.time(), simulation.size(), simulation.world().kinetic_energy(simulation.now()),
+                simulation.time(), simulation.size(), kinetic_energy(simulation.world(), simulation.now()),
                 static_cast<unsigned long long>(simulation.counters().collision),
                 static_cast<unsigned long long>(simulation.counters().wall));
   }

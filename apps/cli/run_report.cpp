@@ -23,6 +23,7 @@
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
+#include "hardball/world/totals.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball::cli {
@@ -86,7 +87,7 @@ std::vector<Quantity> rates(const Simulation& simulation, const GasStatistics& s
   const SpeciesList species(world);
   const FluidTheory fluid(world, species);
   const bool theory = is_uniform(world) && !world.box().is_sheared() && !simulation.thermostat() &&
-                      !simulation.growth() && has_theory(world, statistics) && !world.has_kinematic() &&
+                      !simulation.growth() && has_theory(world, statistics) && world.kinematic_count() == 0 &&
                       (fluid.holds() || (has_one_mass(species) && !world.interactions().has_passing()));
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
     if (std::isfinite(value)) all.push_back({name, unit, value, kNoNumber, theory ? expected : kNoNumber});
@@ -111,7 +112,7 @@ std::vector<Quantity> rates(const Simulation& simulation, const GasStatistics& s
   if (std::isfinite(summary.wall_pressure())) {
     add("wall contacts per sphere and time", "T^-1", rate(counters.wall), wall_rate(statistics));
     add("pressure on the walls", pressure_unit(statistics.box), summary.wall_pressure(),
-        expected_wall_pressure(statistics, simulation.world().kinetic_energy(simulation.now())));
+        expected_wall_pressure(statistics, kinetic_energy(simulation.world(), simulation.now())));
   }
   // Several domains have more work than the one engine that the theory is of.
   if (simulation.engine() == EngineKind::cells && counters.rebuilds == 0 && summary.domains() == 1) {
@@ -242,8 +243,8 @@ report::Report run_report(const ScenarioChoice& chosen, const Scenario& scenario
   report.packing_fraction = summary.packing_fraction();
   report.initial_energy = simulation.tally().initial_energy();
   report.gravity = simulation.world().motion().gravity();
-  report.final_energy = simulation.world().energy(simulation.now());
-  report.momentum = simulation.world().momentum(simulation.now());
+  report.final_energy = energy(simulation.world(), simulation.now());
+  report.momentum = momentum(simulation.world(), simulation.now());
   report.max_overlap = summary.max_overlap();
 
   report.is_flat = simulation.world().box().is_flat();
@@ -257,7 +258,7 @@ report::Report run_report(const ScenarioChoice& chosen, const Scenario& scenario
 
   const Shear& shear = simulation.world().box().shear();
   if (shear.is_present()) {
-    const double energy = simulation.world().kinetic_energy(simulation.now());
+    const double energy = kinetic_energy(simulation.world(), simulation.now());
     report.shear = {.rate = shear.rate, .work = simulation.tally().shear_work(energy)};
   }
   if (const auto& growth = simulation.growth()) {

@@ -17,6 +17,7 @@
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/theory/no_number.hpp"
 #include "hardball/world/audit.hpp"
+#include "hardball/world/step_levels.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball::cli {
@@ -43,7 +44,7 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
           .at_rest_since = {},
           .sums = simulation.sums(),
           .totals = simulation.totals(),
-          .step_energy = simulation.setting().step_energy(),
+          .step_energy = step_energy(simulation.setting()),
           .has_spins = simulation.has_spins(),
           .audit = simulation.audit(),
           .species_counts = species_counts,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/broadphase/approach_list.hpp"
+#include "hardball/world/images.hpp"
 
 #include <algorithm>
 #include <cmath>

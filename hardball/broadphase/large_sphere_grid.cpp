@@ -7,6 +7,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/wait_in_ball.hpp"
+#include "hardball/world/images.hpp"
 
 namespace hardball {
 namespace {

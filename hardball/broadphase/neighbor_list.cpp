@@ -12,6 +12,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/wait_in_ball.hpp"
+#include "hardball/world/images.hpp"
 
 namespace hardball {
 namespace {
@@ -92,7 +93,7 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   const double any_radius = world.size() > 0 ? radius : 1;
   double speeds = 0;
   for (Slot slot = 0; world.box().is_sheared() && slot < world.size(); ++slot)
-    speeds += length(world.peculiar_velocity(slot, now));
+    speeds += length(peculiar_velocity(world, slot, now));
   const double mean_speed = speeds / std::max(1.0, static_cast<double>(world.size()));
   const double per_skin = slide_of_skin(world.box(), any_radius, wanted_skin_, mean_speed);
   const double largest = (kLargestListShare * world.box().shortest_period() - 2 * radius) / (4 + per_skin);

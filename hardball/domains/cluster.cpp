@@ -8,6 +8,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/processes/bytes.hpp"
+#include "hardball/world/pair_event.hpp"
 
 namespace hardball {
 
@@ -178,7 +179,7 @@ Cluster::Findings Cluster::compare(double until) {
   });
   Findings own;
   for (std::size_t k = 0; k < size(); ++k)
-    own.add({bad_[k], domains_[k]->counted(), domains_[k]->world().has_passing_pairs()});
+    own.add({bad_[k], domains_[k]->counted(), has_passing_pairs(domains_[k]->world())});
   Findings all;
   for (const Findings& found : processes().gather(own)) all.add(found);
   return all;

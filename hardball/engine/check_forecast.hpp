@@ -5,6 +5,8 @@
 #include "hardball/engine/predictor.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/plan.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/pair_event.hpp"
 
 namespace hardball {
 

@@ -27,6 +27,7 @@
 #include "hardball/world/curve_order.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
+#include "hardball/world/step_levels.hpp"
 
 namespace hardball {
 
@@ -150,7 +151,7 @@ class Engine final : public EngineBase {
       const std::vector<Slot> all = is_admitted ? std::vector<Slot>() : all_slots(world);
       const std::span<const Slot> others = is_admitted ? forecast_.overlapping(slot) : std::span(all);
       require_room(world, slot, others, moment);
-      world.assign_levels(slot, others, moment);
+      assign_levels(world, slot, others, moment);
     } catch (const Error&) {
       if (is_admitted) forecast_.erase(slot);
       world.undo_add();

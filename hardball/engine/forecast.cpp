@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/engine/forecast.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/pair_event.hpp"
 
 #include <algorithm>
 
@@ -70,7 +72,7 @@ std::span<const Slot> Forecast::overlapping(Slot slot) {
 }
 
 void Forecast::note_exclusions() {
-  has_passing_pairs_ = world_.has_passing_pairs();
+  has_passing_pairs_ = has_passing_pairs(world_);
   has_steps_ = world_.has_steps();
   has_excluded_ = has_passing_pairs_ || has_steps_;
   are_steps_bounded_ = true;
@@ -96,7 +98,7 @@ HARDBALL_NEVER_INLINE void Forecast::exclude(Candidates& candidates, StepCandida
   if (!has_passing_pairs_) return;
   candidates.keep_if([&](std::size_t i) {
     const Slot other = candidates.slot(i);
-    if (!world_.pass(slot, other)) return true;
+    if (!pass(world_, slot, other)) return true;
     const Image image =
         candidates.uses_minimum_image() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
     return !are_passing(world_, slot, other, image);

@@ -19,6 +19,8 @@
 #include "hardball/events/plan.hpp"
 #include "hardball/geometry/inlining.hpp"
 #include "hardball/memory/prefetch.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/walls.hpp"
 #include "hardball/world/world.hpp"

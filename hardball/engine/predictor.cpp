@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "hardball/events/event.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/pair_event.hpp"
 
 namespace hardball {
 

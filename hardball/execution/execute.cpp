@@ -9,6 +9,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -115,7 +116,7 @@ void describe_traits(const World& world, const Participants& participants, Conta
   contact.second_inertia_factor = is_collision ? world.inertia_factor(second) : kSphereInertiaFactor;
   contact.first_species = world.species(first);
   contact.second_species = is_collision ? world.species(second) : SpeciesId{0};
-  if (is_collision && world.pass(first, second)) contact.outcome = ContactOutcome::pass;
+  if (is_collision && pass(world, first, second)) contact.outcome = ContactOutcome::pass;
 }
 
 // Gives a contact whose radii are base radii those that they are at its time, and their growth.

@@ -6,7 +6,9 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/execution/execute.hpp"
 #include "hardball/geometry/exit_time.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "hardball/world/sphere_edit.hpp"
+#include "hardball/world/step_levels.hpp"
 
 namespace hardball {
 namespace {
@@ -49,7 +51,7 @@ void describe_step(const World& world, const Participants& participants, Execute
   Contact& contact = done.contact;
   const PairLevel* const known = world.pair_levels().find(participants.first, participants.second);
   const StepTable::Number number =
-      known ? known->potential : world.potential_of(participants.first, participants.second);
+      known ? known->potential : potential_of(world, participants.first, participants.second);
   if (number == StepTable::kNone) return;
   const StepPotential& potential = world.interactions().steps()[number];
   const StepPotential::Level level = known ? known->level : StepPotential::Level{0};

@@ -34,4 +34,10 @@ inline void check_moment(const Time& moment, std::string_view where) {
   if (!is_moment) refuse_moment(moment, where);
 }
 
+/// Error, with `where` as its place: `moment` is NaN or infinite. Weaker than check_moment: events of spheres
+/// slowed down by inelastic collapse may lie beyond its range.
+inline void check_finite(const Time& moment, std::string_view where) {
+  if (!std::isfinite(moment.high)) refuse_moment(moment, where);
+}
+
 }  // namespace hardball

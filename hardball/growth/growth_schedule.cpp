@@ -12,6 +12,7 @@
 #include "hardball/numbers/cube_root.hpp"
 #include "hardball/numbers/exact_sum.hpp"
 #include "hardball/world/setting.hpp"
+#include "hardball/world/totals.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -48,7 +49,7 @@ Scales scales_of(const World& world, const Time& moment) {
   const auto spheres = static_cast<double>(world.size());
   const double dimensions = world.box().dimensions() == 2 ? 2 : 3;
   return {diameter.value() / spheres,
-          std::sqrt(2 * world.kinetic_energy(moment) / (dimensions * mass.value()))};
+          std::sqrt(2 * kinetic_energy(world, moment) / (dimensions * mass.value()))};
 }
 
 // Whether nothing can be near jamming: few spheres, and those between walls, may jam at any density.

@@ -14,6 +14,7 @@
 #include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
+#include "hardball/world/step_levels.hpp"
 
 namespace hardball {
 namespace {

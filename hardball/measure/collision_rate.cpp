@@ -11,6 +11,7 @@
 #include "hardball/measure/qualification.hpp"
 #include "hardball/measure/transient.hpp"
 #include "hardball/theory/no_number.hpp"
+#include "hardball/world/images.hpp"
 
 namespace hardball {
 namespace {
@@ -54,7 +55,7 @@ void CollisionRate::sample(const Scene& scene) {
   if (world.size() == 0) return;
   std::size_t rank = 0;
   world.for_each_by_id([&](Slot slot) {
-    const Vec3 velocity = world.peculiar_velocity(slot, scene.now());
+    const Vec3 velocity = peculiar_velocity(world, slot, scene.now());
     const double square = dot(velocity, velocity);
     double* const sums = speed_.open_bins(0, group_of(rank++));
     sums[kSpeed] += std::sqrt(square);

@@ -12,6 +12,7 @@
 #include "hardball/measure/same_box.hpp"
 #include "hardball/measure/transient.hpp"
 #include "hardball/measure/units.hpp"
+#include "hardball/world/images.hpp"
 
 namespace hardball {
 namespace {
@@ -72,7 +73,7 @@ void FlowProfiles::sample(const Scene& scene) {
     const Vec3& center = *next++;
     const double mass = world.mass(slot);
     // Relative to the flow of the box, which grows within a slab.
-    const Vec3 velocity = world.peculiar_velocity(slot, scene.now());
+    const Vec3 velocity = peculiar_velocity(world, slot, scene.now());
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (slabs_[axis] == 0) continue;
       const double slabs_below = std::max((center[axis] - margin(axis)) / slab_width(axis), 0.0);

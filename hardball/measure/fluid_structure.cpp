@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/world/totals.hpp"
 
 namespace hardball {
 
@@ -15,7 +16,7 @@ double fluid_packing_fraction(const Scene& scene) {
   const FluidTheory& fluid = scene.fluid();
   if (fluid.holds() && fluid.is_ideal()) return 0;
   const bool holds = world.base_radii().is_common() && fluid.holds();
-  return holds ? world.sphere_volume(scene.now()) / world.box().volume()
+  return holds ? sphere_volume(world, scene.now()) / world.box().volume()
                : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/kinetic_tensor.hpp"
+#include "hardball/world/images.hpp"
 
 #include <cmath>
 
@@ -31,7 +32,7 @@ KineticTensor::KineticTensor(const Scene& scene)
   world.for_each_by_id([&](Slot slot) {
     if (world.is_kinematic(slot)) return;
     const double mass = world.mass(slot);
-    const Vec3 velocity = world.peculiar_velocity(slot, scene.now()) - drift_;
+    const Vec3 velocity = peculiar_velocity(world, slot, scene.now()) - drift_;
     mass_ += mass;
     momentum_ += mass * velocity;
     add_symmetric_product(components_.data(), mass * velocity, velocity);

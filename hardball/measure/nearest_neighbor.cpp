@@ -15,6 +15,7 @@
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
 #include "hardball/theory/no_number.hpp"
+#include "hardball/world/pair_event.hpp"
 
 namespace hardball {
 namespace {
@@ -29,7 +30,7 @@ bool may_overlap(const World& world) {
   for (std::size_t number = 0; number < steps.size(); ++number) {
     is_core_smaller |= steps[static_cast<StepTable::Number>(number)].rules().core < 1;
   }
-  return world.has_passing_pairs() || is_core_smaller;
+  return has_passing_pairs(world) || is_core_smaller;
 }
 
 }  // namespace

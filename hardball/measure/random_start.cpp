@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/random_start.hpp"
+#include "hardball/world/step_levels.hpp"
+#include "hardball/world/totals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +22,11 @@ double variance_of_pairs(const Scene& scene) {
   std::vector<double> mean(species.size());
   world.for_each_by_id([&](Slot slot) {
     const std::size_t kind = species.of(world.id(slot));
-    mean[kind] += world.step_energy(slot) / static_cast<double>(species.count(kind));
+    mean[kind] += step_energy(world, slot) / static_cast<double>(species.count(kind));
   });
   double squares = 0;
   world.for_each_by_id([&](Slot slot) {
-    const double excess = world.step_energy(slot) - mean[species.of(world.id(slot))];
+    const double excess = step_energy(world, slot) - mean[species.of(world.id(slot))];
     squares += excess * excess;
   });
   return 2 * squares;
@@ -58,7 +60,7 @@ double sensitivity_of_places(const Scene& scene, double temperature) {
   double in_steps = 0;
   double falls = 0;
   world.for_each_by_id([&](Slot slot) {
-    if (world.has_steps()) in_steps += std::fabs(world.step_energy(slot));
+    if (world.has_steps()) in_steps += std::fabs(step_energy(world, slot));
     for (std::size_t axis = 0; axis < kAxes; ++axis) falls += fall(world, slot, axis);
   });
   const auto spheres = static_cast<double>(world.size());
@@ -75,7 +77,7 @@ double sensitivity_of_places(const Scene& scene, double temperature) {
 }  // namespace
 
 RandomStart::RandomStart(const Scene& scene)
-    : energy_(scene.world().energy(scene.now())), rotational_energy_(scene.world().rotational_energy()) {
+    : energy_(energy(scene.world(), scene.now())), rotational_energy_(rotational_energy(scene.world())) {
   const World& world = scene.world();
   if (world.size() == 0) return;
   if (world.has_steps()) variance_of_places_ += variance_of_pairs(scene);
@@ -87,10 +89,10 @@ RandomStart::RandomStart(const Scene& scene)
 StartSpread RandomStart::spread(const Scene& scene) const {
   const World& world = scene.world();
   const ThermalMotion& motion = scene.thermal_motion();
-  const double change = std::fabs(world.energy(scene.now()) - energy_);
+  const double change = std::fabs(energy(world, scene.now()) - energy_);
   const bool is_conserved = change <= kRounding * (motion.energy + std::fabs(energy_));
   if (!is_conserved || !(motion.energy > 0)) return {};
-  const double rotation = std::fabs(world.rotational_energy() - rotational_energy_);
+  const double rotation = std::fabs(rotational_energy(world) - rotational_energy_);
   const bool do_spins_exchange = rotation > kRounding * rotational_energy_;
   double freedom = motion.degrees_of_freedom;
   double variance = variance_of_places_;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/scene.hpp"
+#include "hardball/world/images.hpp"
 
 namespace hardball {
 namespace {
@@ -55,7 +56,7 @@ bool Scene::has_equilibrium(const ThermalMotion& begin) const {
 }
 
 Vec3 Scene::unfolded_center(Slot slot) const {
-  return world_.position(slot, now_) + world_.box().shift(world_.image(slot, now_), now_);
+  return world_.position(slot, now_) + world_.box().shift(image_of(world_, slot, now_), now_);
 }
 
 }  // namespace hardball

@@ -10,6 +10,8 @@
 #include "hardball/measure/energy_gain.hpp"
 #include "hardball/measure/transient.hpp"
 #include "hardball/theory/no_number.hpp"
+#include "hardball/world/step_levels.hpp"
+#include "hardball/world/totals.hpp"
 
 namespace hardball {
 namespace {
@@ -22,12 +24,12 @@ constexpr const char* kUnitOfEnergy = "M L^2 T^-2";
 
 StepAttempts::StepAttempts(const Scene& scene)
     : motion_(scene.thermal_motion()),
-      total_energy_(scene.world().energy(scene.now())),
+      total_energy_(energy(scene.world(), scene.now())),
       spheres_(static_cast<double>(scene.world().size())),
       begin_(scene.now()),
       last_(scene.now()),
       kinetic_(motion_.energy),
-      potential_(scene.world().step_energy()),
+      potential_(step_energy(scene.world())),
       start_(potential_) {
   const StepTable& steps = scene.world().interactions().steps();
   std::size_t bins = kSteps;
@@ -112,7 +114,7 @@ void StepAttempts::add_heat_capacity(const Scene& scene, const BlockAverage& ave
                                      Measurement& found) const {
   constexpr double kRounding = 1e-9;
   const double scale = motion_.energy + std::fabs(total_energy_);
-  const double energy = scene.world().energy(scene.now());
+  const double energy = hardball::energy(scene.world(), scene.now());
   Quantity capacity{.name = "heat_capacity", .unit = "1"};
   const bool is_conserved = std::fabs(energy - total_energy_) <= kRounding * scale &&
                             scene.world().interactions().table().restitution() == 1.0 && !is_driven_;

@@ -9,6 +9,8 @@
 #include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/totals.hpp"
 
 namespace hardball {
 namespace {
@@ -71,7 +73,7 @@ void Temperature::sample(const Scene& scene) {
   world.for_each_by_id([&](Slot slot) {
     const std::size_t group = group_of(rank++);
     if (world.is_kinematic(slot)) return;
-    const Vec3 v = world.peculiar_velocity(slot, scene.now()) - motion.drift;
+    const Vec3 v = peculiar_velocity(world, slot, scene.now()) - motion.drift;
     const double mass = world.mass(slot);
     double* const sums = samples_.open_bins(0, group);
     const double square = mass * dot(v, v);

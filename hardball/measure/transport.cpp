@@ -191,7 +191,7 @@ std::string obstacle_of(const Scene& scene) {
   if (!world.surfaces().empty() || !world.motion().is_straight())
     return "transport is measured without walls and gravity";
   if (world.has_steps()) return "transport is measured without potentials of steps";
-  if (world.interactions().has_passing() || world.has_kinematic())
+  if (world.interactions().has_passing() || world.kinematic_count() > 0)
     return "transport is measured of spheres that all deflect each other";
   if (!world.interactions().are_elastic()) return "transport is measured of elastic spheres";
   if (world.size() < 2 || !(scene.thermal_motion().energy > 0)) return "nothing moves";

@@ -12,6 +12,7 @@
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
 #include "hardball/theory/no_number.hpp"
+#include "hardball/world/images.hpp"
 
 namespace hardball {
 namespace {
@@ -46,7 +47,7 @@ void VelocityDistribution::sample(const Scene& scene) {
   world.for_each_by_id([&](Slot slot) { mass += world.mass(slot); });
   std::size_t rank = 0;
   world.for_each_by_id([&](Slot slot) {
-    const Vec3 velocity = world.peculiar_velocity(slot, scene.now()) - motion.drift;
+    const Vec3 velocity = peculiar_velocity(world, slot, scene.now()) - motion.drift;
     const double unit = std::sqrt(temperature / world.mass(slot));
     const Vec3 c = (1 / unit) * velocity;
     double* const sums = average_.open_bins(0, group_of(rank++));

@@ -13,6 +13,7 @@
 #include "hardball/packing/jamming.hpp"
 #include "hardball/packing/protocol.hpp"
 #include "hardball/packing/random_start.hpp"
+#include "hardball/world/totals.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -28,7 +29,7 @@ constexpr int kMostSteps = 400;
 
 double thermal_speed(const World& world, const Time& now) {
   const double degrees = static_cast<double>(world.box().dimensions() * world.size());
-  return std::sqrt(2 * world.kinetic_energy(now) / degrees);
+  return std::sqrt(2 * kinetic_energy(world, now) / degrees);
 }
 
 std::vector<Vec3> thermal_velocities(std::size_t count, const Container& container, Random& random) {

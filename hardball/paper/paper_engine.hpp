@@ -24,7 +24,10 @@
 #include "hardball/execution/aftermath.hpp"
 #include "hardball/execution/execute.hpp"
 #include "hardball/world/audit.hpp"
+#include "hardball/world/images.hpp"
 #include "hardball/world/new_velocity.hpp"
+#include "hardball/world/pair_event.hpp"
+#include "hardball/world/step_levels.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -135,7 +138,7 @@ class PaperEngine final : public EngineBase {
     try {
       const std::vector<Slot> others = is_admitted ? nearby(slot) : all_slots(world_);
       require_room(world_, slot, others, moment);
-      world_.assign_levels(slot, others, moment);
+      assign_levels(world_, slot, others, moment);
     } catch (const Error&) {
       if (is_admitted) erase(slot);
       world_.undo_add();
@@ -282,7 +285,7 @@ class PaperEngine final : public EngineBase {
 
   // Whether two spheres are passing through each other, or have just begun to.
   bool have_passed(Slot slot, Slot other, const Image& image) const {
-    return world_.has_passing_pairs() && world_.pass(slot, other) && are_passing(world_, slot, other, image);
+    return has_passing_pairs(world_) && pass(world_, slot, other) && are_passing(world_, slot, other, image);
   }
 
   // Whether the next event of two spheres is known from their levels, not from subspaces.

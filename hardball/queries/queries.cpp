@@ -12,6 +12,7 @@
 #include "hardball/geometry/range.hpp"
 #include "hardball/queries/image_search.hpp"
 #include "hardball/surfaces/surface.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -58,7 +59,7 @@ std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slo
   const State from{path.position, path.velocity};
   const Motion& motion = world.motion();
   const auto state_of = [&](Slot slot) { return motion.state_at(world.path(slot), now); };
-  const bool some_pass = world.has_passing_pairs() || id == kNoSphere;
+  const bool some_pass = has_passing_pairs(world) || id == kNoSphere;
   const auto wait_of = [&](Slot slot, const Relative& other) {
     if (some_pass && pass(slot)) return time_to_begin(world, now, id, world.id(slot), other);
     return time_to_touch(other);
@@ -222,8 +223,8 @@ std::optional<NextContact> first_contact(const World& world, const Time& now, Sp
   const Slot slot = world.slot_of(id);
   world.check_velocity(id, velocity);
   const Path path{world.position(slot, now), velocity, now};
-  const auto pass = [&](Slot other) { return world.pass(slot, other); };
-  return first_contact_on(world, id, slot, path, world.base_radius(slot), pass, until);
+  const auto passes = [&](Slot other) { return pass(world, slot, other); };
+  return first_contact_on(world, id, slot, path, world.base_radius(slot), passes, until);
 }
 
 std::optional<NextContact> first_contact(const World& world, const Time& now, const Sphere& sphere,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/recording/recording_header.hpp"
+#include "hardball/world/step_levels.hpp"
 
 #include <limits>
 #include <optional>
@@ -67,7 +68,7 @@ RecordingHeader recording_header(const Simulation& simulation) {
   for (const Surface& surface : simulation.world().surfaces()) {
     header.surfaces.push_back(recorded(surface, header.restitution));
   }
-  for (const Bond& bond : simulation.world().bonds()) header.bonds.push_back({bond.first, bond.second});
+  for (const Bond& bond : bonds_of(simulation.world())) header.bonds.push_back({bond.first, bond.second});
   return header;
 }
 

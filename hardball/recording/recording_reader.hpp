@@ -40,7 +40,8 @@ enum class OnDamage {
 /// Reads a recording, even one that is still being written, or whose writer was killed: an incomplete last
 /// chunk is ignored.
 ///
-/// Damage is found by the checksums. Whatever the file contains, no more memory is allocated than its length justifies.
+/// Damage is found by the checksums. Whatever the file contains, no more memory is allocated than its length
+/// justifies.
 class HARDBALL_EXPORT RecordingReader {
  public:
   /// Opens the file and finds its chunks by their heads. Error: it cannot be read; it is not a recording; its

@@ -12,6 +12,7 @@
 #include "hardball/io/crc32.hpp"
 #include "hardball/io/little_endian.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/pair_event.hpp"
 
 namespace hardball {
 namespace {
@@ -123,7 +124,7 @@ std::string preamble(const RecordingHeader& header) {
 RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world)
     : file_(std::move(path)) {
   const std::size_t count = count_with_gaps(world);
-  const bool needs_bodies = world.has_spins() || world.has_passing_pairs() || count > world.size();
+  const bool needs_bodies = world.has_spins() || has_passing_pairs(world) || count > world.size();
   const Growth& growth = world.motion().growth();
   header.has_growth = header.has_growth || world.motion().has_growth();
   state_.epoch = {growth.begin.value(), growth.scale, growth.rate};
@@ -297,7 +298,7 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   append_little_endian(head, end);
   SummedPart summed_head(file_);
   summed_head.append(head);
-  summed_head.close(layout);
+  summed_head.close();
   const auto behind = state_.contacts.begin() + static_cast<std::ptrdiff_t>(contacts);
   SummedPart body(file_);
   if (layout.has_growth) {
@@ -309,7 +310,7 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   body.append_all(state_.keyframe.begin(), state_.keyframe.end());
   body.append_all(state_.bodies.begin(), state_.bodies.end());
   body.append_all(state_.contacts.begin(), behind, layout.has_bodies);
-  body.close(layout);
+  body.close();
   file_.flush_complete();
   state_.file.bytes = file_.size();
   state_.has_chunks = true;

@@ -10,6 +10,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/sphere_id.hpp"
 #include "hardball/trajectory/text_lines.hpp"
+#include "hardball/world/step_levels.hpp"
 
 namespace hardball {
 namespace {
@@ -80,7 +81,7 @@ void add_bonds(const Scenario& scenario, World& world) {
         bonds.file ? pairs_in(*bonds.file, bonds.where) : bonds.pairs;
     for (const auto& [first, second] : pairs) {
       try {
-        world.add_bond(first, second, number);
+        add_bond(world, first, second, number);
       } catch (const Error& error) {
         throw Error(error.problem(), bonds.where + ": " + error.where(), error.remedy());
       }

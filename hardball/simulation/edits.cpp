@@ -10,6 +10,8 @@
 #include "hardball/run/engine_manager.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/simulation/user_data.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/totals.hpp"
 
 namespace hardball {
 
@@ -104,7 +106,7 @@ void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* 
   std::vector<double> energies;
   for (const VelocityEdit& edit : sorted) {
     const Slot slot = world().slot_of(edit.id);
-    static_cast<void>(world().image(slot, now_));  // whether it is where it can be changed
+    static_cast<void>(image_of(world(), slot, now_));  // whether it is where it can be changed
     world().check_velocity(edit.id, edit.velocity);
     changes.push_back({slot, world().velocity(slot, now_), edit.velocity});
     energies.push_back(kinetic_energy(world(), slot, now_));

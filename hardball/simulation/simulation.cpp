@@ -13,6 +13,8 @@
 #include "hardball/run/run_schedule.hpp"
 #include "hardball/simulation/user_data.hpp"
 #include "hardball/world/audit.hpp"
+#include "hardball/world/step_levels.hpp"
+#include "hardball/world/totals.hpp"
 
 namespace hardball {
 namespace {
@@ -50,7 +52,7 @@ Simulation::Simulation(World world, const EngineOptions& options, Processes& pro
   const Progress progress(on_progress);
   progress.note(0, 1);
   begin_paths(world, now_);
-  world.assign_levels(now_);
+  assign_levels(world, now_);
   manager_->prepare(world, now_);
   require_no_overlap(world, now_, progress.part(kOrdered, kAudited));  // faster in order
   manager_->start(std::move(world), now_, progress.part(kAudited, 1));
@@ -237,9 +239,9 @@ void Simulation::begin_epoch(const Action& action, Actor& actor, const Time& mom
   manager_->engine().rewind(moment);
   World& world = manager_->engine().world_to_edit();
   if (!action.changes.empty()) {
-    const double energy_before = world.kinetic_energy(moment);
+    const double energy_before = kinetic_energy(world, moment);
     for (const NewVelocity& change : action.changes) world.rewrite_path(change.slot, moment, change.after);
-    const double given = world.kinetic_energy(moment) - energy_before;
+    const double given = kinetic_energy(world, moment) - energy_before;
     sums_.tally.note_edit(given, moment);
     actor.note_energy(given);
   }

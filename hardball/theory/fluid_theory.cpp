@@ -76,7 +76,8 @@ FluidTheory::FluidTheory(const World& world, const SpeciesList& species)
     : species_(species),
       is_flat_(world.box().is_flat()),
       holds_(world.box().is_all(Boundary::periodic) && world.motion().is_straight() &&
-             world.surfaces().empty() && world.size() > 1 && !world.has_steps() && !world.has_kinematic()),
+             world.surfaces().empty() && world.size() > 1 && !world.has_steps() &&
+             world.kinematic_count() == 0),
       has_equal_radii_(world.base_radii().is_common()),
       density_(static_cast<double>(world.size()) / world.box().volume()),
       compressibility_(kNoNumber) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/theory/gas_statistics.hpp"
+#include "hardball/world/images.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,7 @@ void GasSums::note(const World& world, Slot slot, const Time& moment) {
     sum += power;
     power *= radius;
   }
-  speed += length(world.peculiar_velocity(slot, moment));
+  speed += length(peculiar_velocity(world, slot, moment));
   largest_radius = std::max(largest_radius, world.base_radius(slot) * world.motion().largest_scale());
 }
 

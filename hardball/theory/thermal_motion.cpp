@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/theory/thermal_motion.hpp"
+#include "hardball/world/images.hpp"
 
 #include <cmath>
 
@@ -14,7 +15,7 @@ double mean_over_normal(double degrees_of_freedom) {
 std::array<bool, kAxes> drift_axes(const World& world) {
   std::array<bool, kAxes> has_drift{};
   const Box& box = world.box();
-  if (world.has_kinematic() || !world.surfaces().empty() || !box.has_plain_faces()) return has_drift;
+  if (world.kinematic_count() > 0 || !world.surfaces().empty() || !box.has_plain_faces()) return has_drift;
   for (std::size_t axis = 0; axis < box.dimensions(); ++axis) {
     has_drift[axis] = !box.is_wall(axis) && world.motion().gravity()[axis] == 0;
   }
@@ -31,7 +32,7 @@ ThermalMotion thermal_motion(const World& world, const Time& moment) {
   world.for_each_by_id([&](Slot slot) {
     if (world.is_kinematic(slot)) return;
     ++deflected;
-    momentum += world.mass(slot) * world.peculiar_velocity(slot, moment);
+    momentum += world.mass(slot) * peculiar_velocity(world, slot, moment);
     mass += world.mass(slot);
   });
   motion.degrees_of_freedom = static_cast<double>(world.box().dimensions() * deflected);
@@ -43,7 +44,7 @@ ThermalMotion thermal_motion(const World& world, const Time& moment) {
   }
   world.for_each_by_id([&](Slot slot) {
     if (world.is_kinematic(slot)) return;
-    const Vec3 velocity = world.peculiar_velocity(slot, moment) - motion.drift;
+    const Vec3 velocity = peculiar_velocity(world, slot, moment) - motion.drift;
     motion.energy += world.mass(slot) * dot(velocity, velocity) / 2;
   });
   return motion;

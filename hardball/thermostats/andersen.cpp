@@ -9,6 +9,7 @@
 #include "hardball/geometry/range.hpp"
 #include "hardball/numbers/event_random.hpp"
 #include "hardball/thermostats/resolution.hpp"
+#include "hardball/world/images.hpp"
 
 namespace hardball {
 
@@ -47,7 +48,7 @@ void Andersen::act(const World& world, const Time& moment, std::vector<NewVeloci
   Random random = event_random(seed_, due.sphere, due.count);
   const double spread = std::sqrt(temperature_ / world.mass(slot));
   Vec3 velocity = spread * random.normal_vector(world.box().dimensions());
-  if (world.box().is_sheared()) velocity += world.flow_velocity(slot, moment);
+  if (world.box().is_sheared()) velocity += flow_velocity(world, slot, moment);
   if (!world.is_kinematic(slot)) changes.push_back({slot, world.velocity(slot, moment), velocity});
   due.time += wait(random);
   ++due.count;

@@ -8,6 +8,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/theory/thermal_motion.hpp"
+#include "hardball/world/images.hpp"
 
 namespace hardball {
 
@@ -33,9 +34,9 @@ void Rescale::act(const World& world, const Time& moment, std::vector<NewVelocit
   world.for_each_by_id([&](Slot slot) {
     if (world.is_kinematic(slot)) return;
     const Vec3 before = world.velocity(slot, moment);
-    const Vec3 peculiar = world.peculiar_velocity(slot, moment);
+    const Vec3 peculiar = peculiar_velocity(world, slot, moment);
     Vec3 after = motion.drift + factor * (peculiar - motion.drift);
-    if (world.box().is_sheared()) after += world.flow_velocity(slot, moment);
+    if (world.box().is_sheared()) after += flow_velocity(world, slot, moment);
     changes.push_back({slot, before, after});
   });
 }
@@ -54,7 +55,7 @@ void Rescale::act_in_slabs(const World& world, const Time& moment, std::vector<N
   };
   const auto for_each = [&](auto&& visit) {
     world.for_each_by_id([&](Slot slot) {
-      if (!world.is_kinematic(slot)) visit(slot, slab_of(slot), world.peculiar_velocity(slot, moment));
+      if (!world.is_kinematic(slot)) visit(slot, slab_of(slot), peculiar_velocity(world, slot, moment));
     });
   };
   std::size_t spheres = 0;

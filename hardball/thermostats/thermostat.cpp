@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hardball/geometry/range.hpp"
+#include "hardball/world/images.hpp"
 
 namespace hardball {
 namespace {
@@ -47,7 +48,7 @@ std::span<const NewVelocity> Thermostat::act(const World& world, const Time& mom
   for (NewVelocity& change : changes_) {
     flush(change.after);
     Vec3 sum = change.after + change.before;
-    if (world.box().is_sheared()) sum -= 2 * world.flow_velocity(change.slot, moment);
+    if (world.box().is_sheared()) sum -= 2 * flow_velocity(world, change.slot, moment);
     energy_ += world.mass(change.slot) * dot(change.after - change.before, sum) / 2;
   }
   return changes_;

@@ -10,6 +10,8 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/step_levels.hpp"
 
 namespace hardball {
 namespace {
@@ -105,9 +107,9 @@ Snapshot snapshot_of(const World& world, const Time& moment) {
                                 .species = world.species(slot),
                                 .inertia_factor = world.inertia_factor(slot)});
     snapshot.ids.push_back(world.id(slot));
-    snapshot.images.push_back(world.image(slot, moment));
+    snapshot.images.push_back(image_of(world, slot, moment));
   });
-  for (const Bond& bond : world.bonds()) snapshot.bonds.push_back({bond.first, bond.second});
+  for (const Bond& bond : bonds_of(world)) snapshot.bonds.push_back({bond.first, bond.second});
   const Box& box = world.box();
   SnapshotBox& shown = snapshot.box.emplace();
   shown.is_unbounded = box.is_any(Boundary::open);

@@ -8,7 +8,10 @@
 #include <optional>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "hardball/world/static_hash_grid.hpp"
+#include "hardball/world/step_levels.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -54,7 +57,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](Slot a, Slot b) { return world.base_radius(a) > world.base_radius(b); });
   }
-  const bool may_overlap = world.has_passing_pairs() || world.has_steps();
+  const bool may_overlap = has_passing_pairs(world) || world.has_steps();
   StaticHashGrid neighborhood(world.box(), world.size(), world.largest_radius(), moment);
   std::vector<Slot> inserted;
   inserted.reserve(world.size());
@@ -72,7 +75,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
         position, world.radius(slot, moment), [&](std::uint32_t index, const Vec3& separation, double reach) {
           // With a margin for rounding; most neighbors are farther away.
           if (dot(separation, separation) > 1.001 * (reach * reach)) return;
-          const double core = may_overlap ? world.core_ratio(slot, inserted[index]) : 1;
+          const double core = may_overlap ? core_ratio(world, slot, inserted[index]) : 1;
           const double overlap = 1 - length(separation) / (core * reach);
           if (!(overlap > found.max_overlap)) return;
           found.max_overlap = overlap;
@@ -114,7 +117,7 @@ void require_room(const World& world, Slot added, std::span<const Slot> others, 
   for (const Slot other : others) {
     if (other == added) continue;
     const double reach =
-        world.core_ratio(added, other) * (world.radius(added, moment) + world.radius(other, moment));
+        core_ratio(world, added, other) * (world.radius(added, moment) + world.radius(other, moment));
     const double overlap = 1 - length(nearest_separation(world, added, other, moment)) / reach;
     if (!(overlap > kOverlapTolerance) || (in_the_way && world.id(other) >= *in_the_way)) continue;
     in_the_way = world.id(other);
@@ -129,7 +132,7 @@ void require_room(const World& world, Slot added, std::span<const Slot> others, 
 std::vector<Event> overlaps_of(const World& world, Slot slot, std::span<const Slot> others, const Time& now) {
   std::vector<Event> overlaps;
   for (const Slot other : others) {
-    if (other == slot || world.pass(slot, other)) continue;
+    if (other == slot || pass(world, slot, other)) continue;
     const Image image = nearest_image(world, slot, other, now);
     const Vec3 separation = relative_state(world, slot, other, image, now).position;
     const double reach = world.radius(slot, now) + world.radius(other, now);

@@ -13,23 +13,9 @@
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/world/pair_levels.hpp"
-#include "hardball/world/sphere.hpp"
+#include "hardball/world/sphere_state.hpp"
 
 namespace hardball {
-
-/// All that a world knows of one sphere.
-struct SphereState {
-  Path path;                  // first, as it fills a cache line
-  double radius = 0;          ///< The base radius [L].
-  double mass = 0;            ///< [M]
-  double inertia_factor = 0;  ///< [1]
-  Vec3 spin;                  ///< [1/T]
-  Image folded;               ///< By how many boxes its center has been folded back.
-  SphereId id = 0;
-  SpeciesId species = 0;
-
-  friend bool operator==(const SphereState&, const SphereState&) = default;
-};
 
 /// The changes of a world in their order, with what is needed to undo them.
 ///

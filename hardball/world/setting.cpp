@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "hardball/errors/error.hpp"
@@ -108,14 +109,8 @@ void refuse_behind_faces(const Surface& surface, const Box& box) {
               "walls", "give the face properties of its own, in scenarios in [box.faces], or open the axis");
 }
 
-}  // namespace
-
-void refuse_out_of_plane(const Vec3& vector, const std::string& what, const std::string& where) {
-  if (vector.z == 0) return;
-  throw Error(what + " along z is " + to_text(vector.z) + " in a box of two dimensions", where,
-              "make it zero, or give the box three dimensions");
-}
-
+// Error: gravity is outside the operating range; a surface does not fit into the box, or no sphere can reach
+// it; or, in two dimensions, either leaves the plane.
 void check_setting(const Box& box, const Motion& motion, std::span<const Surface> surfaces) {
   const Vec3& gravity = motion.gravity();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -127,6 +122,7 @@ void check_setting(const Box& box, const Motion& motion, std::span<const Surface
   }
   for (const Surface& surface : surfaces) {
     refuse_in_periodic_box(surface, box);
+    refuse_behind_faces(surface, box);
     if (!box.is_sheared() || normal_of(surface) != nullptr) continue;
     const bool is_obstacle = std::holds_alternative<Obstacle>(surface.shape());
     throw Error("the box is sheared, and there is " +
@@ -136,6 +132,14 @@ void check_setting(const Box& box, const Motion& motion, std::span<const Surface
   if (!box.is_flat()) return;
   refuse_out_of_plane(gravity, "gravity", "gravity");
   for (const Surface& surface : surfaces) refuse_out_of_plane(surface);
+}
+
+}  // namespace
+
+void refuse_out_of_plane(const Vec3& vector, const std::string& what, const std::string& where) {
+  if (vector.z == 0) return;
+  throw Error(what + " along z is " + to_text(vector.z) + " in a box of two dimensions", where,
+              "make it zero, or give the box three dimensions");
 }
 
 void check_growth(const Growth& growth) {
@@ -184,8 +188,96 @@ double largest_fitting_radius(const Box& box, std::span<const Surface> surfaces)
   return radius;
 }
 
-void check_reachable(const Box& box, std::span<const Surface> surfaces) {
-  for (const Surface& surface : surfaces) refuse_behind_faces(surface, box);
+Setting::Setting(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces)
+    : box_(box), motion_(gravity), surfaces_(std::move(surfaces)) {
+  check_setting(box_, motion_, surfaces_);
+  refuse_shear_with_others();
+}
+
+void Setting::derive() {
+  has_steps_ = !interactions_.steps().empty();
+  bounding_scale_ = std::max(motion_.largest_scale(), interactions_.steps().range());
+}
+
+void Setting::set_interactions(const Interactions& interactions) {
+  const Interactions before = std::exchange(interactions_, interactions);
+  derive();
+  try {
+    refuse_steps_with_others();
+    if (motion_.has_growth()) refuse_growth_with_others();
+    refuse_shear_with_others();
+  } catch (...) {
+    interactions_ = before;
+    derive();
+    throw;
+  }
+}
+
+void Setting::set_growth(const Growth& growth) {
+  check_growth(growth);
+  refuse_growth_with_others();
+  motion_.set_growth(growth);
+  derive();
+}
+
+void Setting::end_growth() {
+  motion_.set_growth({});
+  derive();
+}
+
+void Setting::refuse_growth_with_others() const {
+  const auto refuse = [](const char* what, const char* remedy) {
+    throw Error(std::string("spheres grow, and ") + what, "growth", remedy);
+  };
+  if (!motion_.is_straight()) refuse("there is gravity", "remove one of them");
+  if (interactions_.table().is_rough()) refuse("some are rough, or spin", "make them smooth");
+  if (interactions_.table().has_merging()) refuse("some merge", "let them bounce");
+  if (interactions_.has_passing()) refuse("some pass through each other", "let them bounce");
+  if (has_steps_) refuse("there are potentials of steps", "remove one of them");
+  if (box_.is_sheared()) refuse("the box is sheared", "remove one of them");
+  check_walls_for_growth(box_, surfaces_);
+}
+
+void Setting::refuse_shear_with_others() const {
+  if (!box_.is_sheared()) return;
+  const auto refuse = [](const char* what, const char* remedy) {
+    throw Error(std::string("the box is sheared, and ") + what, "shear", remedy);
+  };
+  if (!motion_.is_straight()) refuse("there is gravity", "remove one of them");
+  if (has_steps_) refuse("there are potentials of steps", "remove one of them");
+}
+
+void Setting::refuse_steps_with_others() const {
+  if (!has_steps_) return;
+  const auto refuse = [](const char* what, const char* remedy) {
+    throw Error(std::string("there are potentials of steps, and ") + what, "potential", remedy);
+  };
+  if (!motion_.is_straight()) refuse("there is gravity", "remove one of them");
+  if (motion_.has_growth()) refuse("spheres grow", "remove one of them");
+  if (interactions_.table().has_merging()) refuse("some spheres merge", "let them bounce");
+  if (!interactions_.has_passing()) return;
+  const StepTable& steps = interactions_.steps();
+  // Species beyond those that are named are alike.
+  const std::size_t species = std::max(interactions_.table().species(), steps.species()) + 1;
+  const std::size_t most = std::numeric_limits<SpeciesId>::max() + std::size_t{1};
+  for (std::size_t a = 0; a < std::min(species, most); ++a) {
+    for (std::size_t b = 0; b <= a; ++b) {
+      const auto one = static_cast<SpeciesId>(a);
+      const auto other = static_cast<SpeciesId>(b);
+      if (interactions_.pass(one, other) && steps.of(one, other) != StepTable::kNone)
+        refuse("spheres of the same species pass through each other", "give the potential a core of zero");
+    }
+  }
+}
+
+bool Setting::restored() {
+  derive();
+  refuse_steps_with_others();
+  check_setting(box_, motion_, surfaces_);
+  check_growth(motion_.growth());
+  if (motion_.has_growth()) refuse_growth_with_others();
+  refuse_shear_with_others();
+  return true;
 }
 
 }  // namespace hardball

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "hardball/errors/export.hpp"
+#include "hardball/events/event.hpp"
 #include "hardball/geometry/growth.hpp"
 #include "hardball/geometry/motion.hpp"
+#include "hardball/interaction/interactions.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/box.hpp"
 
@@ -16,13 +21,60 @@ namespace hardball {
 /// How much closer to a wall than its radius a center may lie through rounding alone, relative to the box.
 inline constexpr double kWallTolerance = 1e-12;
 
+/// What surrounds spheres and acts on them: the box, surfaces, gravity or growth, and what happens at
+/// contacts. A world is a setting and the spheres in it.
+class HARDBALL_EXPORT Setting {
+ public:
+  explicit Setting(const Box& box = Box::open()) : box_(box) {}
+  /// `gravity` is the acceleration of all spheres [L/T^2]; `surfaces` are numbered from kFaces on. Error:
+  /// gravity is not finite or out of range, or there is shear, too; a surface that is not the same in every
+  /// periodic image of the box, and is no obstacle; a plane that no sphere can reach, as faces of the box are
+  /// in front of it; in two dimensions, gravity or a surface out of the plane.
+  Setting(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces);
+
+  const Box& box() const { return box_; }
+  const Motion& motion() const { return motion_; }
+  std::span<const Surface> surfaces() const { return surfaces_; }
+  /// The surface of a wall event. Precondition: `number` is not that of a face of the box.
+  const Surface& surface(std::uint32_t number) const { return surfaces_[number - kFaces]; }
+  /// What happens when spheres touch each other or a wall; by default they are smooth and elastic.
+  const Interactions& interactions() const { return interactions_; }
+  /// Whether there are potentials of steps.
+  bool has_steps() const { return has_steps_; }
+  /// By how much bounding radii exceed base radii [1]: the largest scale of the present epoch of growth, or
+  /// the range of the potentials of steps.
+  double bounding_scale() const { return bounding_scale_; }
+
+ protected:
+  // Error, and nothing changes: they exclude each other, or gravity, growth or shear excludes them.
+  void set_interactions(const Interactions& interactions);
+  // Error: the epoch is impossible, or the setting excludes growth.
+  void set_growth(const Growth& growth);
+  void end_growth();
+  std::size_t memory_bytes() const { return surfaces_.capacity() * sizeof(Surface); }
+
+ private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.box_, self.motion_, self.surfaces_, self.interactions_);
+  }
+  bool restored();
+  void refuse_growth_with_others() const;
+  void refuse_shear_with_others() const;
+  void refuse_steps_with_others() const;
+  void derive();
+
+  Box box_;
+  Motion motion_;
+  std::vector<Surface> surfaces_;
+  Interactions interactions_;
+  double bounding_scale_ = 1;
+  bool has_steps_ = false;
+};
+
 /// Error, with `where` as its place: a vector in a box of two dimensions has a component along z; `what`
 /// names it.
 void refuse_out_of_plane(const Vec3& vector, const std::string& what, const std::string& where);
-
-/// Error: gravity is outside the operating range; a surface does not fit into the box; or, in two dimensions,
-/// either leaves the plane.
-void check_setting(const Box& box, const Motion& motion, std::span<const Surface> surfaces);
 
 /// Error: an epoch of growth has a number that is not finite, an end before its begin, or a scale that is not
 /// positive throughout.
@@ -34,8 +86,5 @@ void check_walls_for_growth(const Box& box, std::span<const Surface> surfaces);
 /// The radius of the largest sphere that fits into the box and into each surface that is closed around an
 /// axis or a center [L]; infinite in open space.
 HARDBALL_EXPORT double largest_fitting_radius(const Box& box, std::span<const Surface> surfaces);
-
-/// Error: no sphere can reach a surface, since faces of the box are in front of it.
-void check_reachable(const Box& box, std::span<const Surface> surfaces);
 
 }  // namespace hardball

@@ -20,9 +20,9 @@ class SphereEdit {
 
   /// Replaces a path by one that starts inside the box, `folded` boxes back from where the old one led.
   void store_path(Slot slot, const Path& path, const Image& folded) {
-    world_.paths_[slot] = path;
+    world_.set_path(slot, path);
     if (folded.is_zero()) return;
-    world_.folded_[slot] = world_.folded_[slot] + folded;
+    world_.set_folded(slot, world_.folded(slot) + folded);
     if (world_.has_journal()) world_.journal_.note_folded(slot, folded);
   }
   /// Makes a sphere what it is in another world with the same box. Precondition: `state` has its id.
@@ -35,8 +35,8 @@ class SphereEdit {
   /// of store_spin.
   void store_motion(Slot slot, const World& other, Slot from) {
     note_state(slot);
-    world_.paths_[slot] = other.paths_[from];
-    world_.folded_[slot] = other.folded_[from];
+    world_.set_path(slot, other.path(from));
+    world_.set_folded(slot, other.folded(from));
     world_.set_spin(slot, other.spin(from));
   }
   /// Stores a new angular velocity [1/T]. Cost: O(n) for the first sphere that spins.

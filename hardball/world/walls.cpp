@@ -9,6 +9,7 @@
 
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/surfaces/polynomial.hpp"
+#include "hardball/world/totals.hpp"
 
 namespace hardball {
 namespace {
@@ -17,8 +18,8 @@ bool is_periodic(const Box& box) {
   return box.is_periodic(0) || box.is_periodic(1) || box.is_periodic(2);
 }
 
-bool has_images(const World& world, const Surface& surface) {
-  return is_periodic(world.box()) && std::holds_alternative<Obstacle>(surface.shape());
+bool has_images(const Setting& setting, const Surface& surface) {
+  return is_periodic(setting.box()) && std::holds_alternative<Obstacle>(surface.shape());
 }
 
 Path displaced(const Path& path, const Vec3& shift) {
@@ -27,19 +28,19 @@ Path displaced(const Path& path, const Vec3& shift) {
 
 // Calls visit(path) with the path relative to each image of a surface that is within reach.
 template <class Visit>
-void for_each_image(const World& world, const Surface& surface, const Path& path, double radius,
+void for_each_image(const Setting& setting, const Surface& surface, const Path& path, double radius,
                     const Time& now, double boxes, Visit&& visit) {
-  if (!has_images(world, surface)) return visit(path);
+  if (!has_images(setting, surface)) return visit(path);
   const double touching =
-      std::get<Obstacle>(surface.shape()).radius() + radius * world.motion().largest_scale();
-  const Vec3 position = world.motion().position_at(path, now);
+      std::get<Obstacle>(surface.shape()).radius() + radius * setting.motion().largest_scale();
+  const Vec3 position = setting.motion().position_at(path, now);
   const Vec3 apart = position - surface.point();
-  static_cast<void>(world.box().boxes_beyond(apart));  // which refuses what is too far to count
+  static_cast<void>(setting.box().boxes_beyond(apart));  // which refuses what is too far to count
   Image low;
   Image high;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!world.box().is_periodic(axis)) continue;
-    const double size = world.box().size()[axis];
+    if (!setting.box().is_periodic(axis)) continue;
+    const double size = setting.box().size()[axis];
     constexpr double kMargin = 1e-6;
     const double reach = (boxes + kMargin) * size + touching;
     low[axis] = static_cast<std::int32_t>(std::ceil((apart[axis] - reach) / size));
@@ -49,7 +50,7 @@ void for_each_image(const World& world, const Surface& surface, const Path& path
   for (image[0] = low[0]; image[0] <= high[0]; ++image[0]) {
     for (image[1] = low[1]; image[1] <= high[1]; ++image[1]) {
       for (image[2] = low[2]; image[2] <= high[2]; ++image[2]) {
-        visit(displaced(path, world.box().shift(image)));
+        visit(displaced(path, setting.box().shift(image)));
       }
     }
   }
@@ -61,16 +62,16 @@ double gap_to_face(const Box& box, const Vec3& position, double radius, std::siz
 }
 
 // When a sphere touches a face; kNever if never.
-Time time_of_face(const World& world, const Path& path, double radius, std::size_t axis, bool upper) {
-  const Motion& motion = world.motion();
+Time time_of_face(const Setting& setting, const Path& path, double radius, std::size_t axis, bool upper) {
+  const Motion& motion = setting.motion();
   const double approach = upper ? path.velocity[axis] : -path.velocity[axis];
   if (motion.has_growth()) {
     const Time start = later(path.time, motion.growth().begin);
-    const double gap = gap_to_face(world.box(), motion.position_at(path, start),
+    const double gap = gap_to_face(setting.box(), motion.position_at(path, start),
                                    radius * motion.growth().scale_at(start), axis, upper);
     return after(start, time_to_plane(gap, approach + radius * motion.growth().rate));
   }
-  const double gap = gap_to_face(world.box(), path.position, radius, axis, upper);
+  const double gap = gap_to_face(setting.box(), path.position, radius, axis, upper);
   const double pull = upper ? motion.gravity()[axis] : -motion.gravity()[axis];
   if (pull == 0) return after(path.time, time_to_plane(gap, approach));
   return after(path.time, earliest_descent({{{{gap, 0}, {-approach, 0}, {-0.5 * pull, 0}}}}));
@@ -91,21 +92,21 @@ double volume_within(const Cone& cone, const Vec3& apex, const Box& box) {
 
 }  // namespace
 
-bool has_walls(const World& world) {
-  const Box& box = world.box();
-  return box.is_wall(0) || box.is_wall(1) || box.is_wall(2) || !world.surfaces().empty();
+bool has_walls(const Setting& setting) {
+  const Box& box = setting.box();
+  return box.is_wall(0) || box.is_wall(1) || box.is_wall(2) || !setting.surfaces().empty();
 }
 
-bool is_uniform(const World& world) {
-  return world.motion().is_straight() && world.surfaces().empty() && world.box().has_plain_faces();
+bool is_uniform(const Setting& setting) {
+  return setting.motion().is_straight() && setting.surfaces().empty() && setting.box().has_plain_faces();
 }
 
-bool has_images_of_obstacles(const World& world) {
-  return std::ranges::any_of(world.surfaces(),
-                             [&](const Surface& surface) { return has_images(world, surface); });
+bool has_images_of_obstacles(const Setting& setting) {
+  return std::ranges::any_of(setting.surfaces(),
+                             [&](const Surface& surface) { return has_images(setting, surface); });
 }
 
-Event next_wall_event(const World& world, SphereId id, const Path& path, double radius, const Time& now,
+Event next_wall_event(const Setting& setting, SphereId id, const Path& path, double radius, const Time& now,
                       double boxes) {
   Event next;
   const auto note = [&](const Time& time, std::uint32_t wall) {
@@ -113,16 +114,16 @@ Event next_wall_event(const World& world, SphereId id, const Path& path, double 
     if (event < next) next = event;
   };
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!world.box().is_wall(axis)) continue;
+    if (!setting.box().is_wall(axis)) continue;
     for (const bool upper : {false, true}) {
-      note(time_of_face(world, path, radius, axis, upper), face_of(axis, upper));
+      note(time_of_face(setting, path, radius, axis, upper), face_of(axis, upper));
     }
   }
   std::uint32_t number = kFaces;
-  for (const Surface& surface : world.surfaces()) {
-    for_each_image(world, surface, path, radius, now, boxes, [&](const Path& image) {
-      if (surface.free_until(world.motion(), image, radius, now) > next.time.high) return;
-      note(surface.contact_time(world.motion(), image, radius), number);
+  for (const Surface& surface : setting.surfaces()) {
+    for_each_image(setting, surface, path, radius, now, boxes, [&](const Path& image) {
+      if (surface.free_until(setting.motion(), image, radius, now) > next.time.high) return;
+      note(surface.contact_time(setting.motion(), image, radius), number);
     });
     ++number;
   }
@@ -159,21 +160,21 @@ bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const
   return false;
 }
 
-double distance_to_surfaces(const World& world, const Vec3& position, const Time& moment) {
+double distance_to_surfaces(const Setting& setting, const Vec3& position, const Time& moment) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Surface& surface : world.surfaces()) {
-    const Vec3 image = nearest_image_of(world, surface, position);
+  for (const Surface& surface : setting.surfaces()) {
+    const Vec3 image = nearest_image_of(setting, surface, position);
     least = std::min(least, surface.distance(position - image, moment));
   }
   return least;
 }
 
-double accessible_volume(const World& world) {
-  const Box& box = world.box();
+double accessible_volume(const Setting& setting) {
+  const Box& box = setting.box();
   double volume = box.volume();
   double obstacles = 0;
   bool is_enclosed = false;
-  for (const Surface& surface : world.surfaces()) {
+  for (const Surface& surface : setting.surfaces()) {
     const Shape& shape = surface.shape();
     if (const auto* obstacle = std::get_if<Obstacle>(&shape)) {
       obstacles += box.sphere_volume(obstacle->radius());
@@ -198,17 +199,17 @@ double accessible_volume(const World& world) {
 }
 
 double packing_fraction(const World& world, const Time& moment) {
-  return packing_fraction(world, world.sphere_volume(moment));
+  return packing_fraction(world, sphere_volume(world, moment));
 }
 
-double packing_fraction(const World& world, double sphere_volume) {
-  const double fraction = sphere_volume / accessible_volume(world);
+double packing_fraction(const Setting& setting, double sphere_volume) {
+  const double fraction = sphere_volume / accessible_volume(setting);
   return fraction > 0 ? fraction : std::numeric_limits<double>::quiet_NaN();
 }
 
-Vec3 nearest_image_of(const World& world, const Surface& surface, const Vec3& position) {
-  if (!has_images(world, surface)) return {};
-  return world.box().shift(world.box().nearest_image(position - surface.point()));
+Vec3 nearest_image_of(const Setting& setting, const Surface& surface, const Vec3& position) {
+  if (!has_images(setting, surface)) return {};
+  return setting.box().shift(setting.box().nearest_image(position - surface.point()));
 }
 
 }  // namespace hardball

@@ -10,15 +10,15 @@
 namespace hardball {
 
 /// Whether there is anything but spheres to be met: faces of the box, or surfaces.
-HARDBALL_EXPORT bool has_walls(const World& world);
+HARDBALL_EXPORT bool has_walls(const Setting& setting);
 
 /// Whether nothing but contacts of spheres and plain faces of the box, which all reflect alike, changes
 /// motions: no gravity, no surface, no face with properties of its own. Then a fluid is the same everywhere.
-HARDBALL_EXPORT bool is_uniform(const World& world);
+HARDBALL_EXPORT bool is_uniform(const Setting& setting);
 
 /// Whether obstacles have images in a periodic box: then a sphere's contact with them must be predicted again
 /// at each of its crossings.
-HARDBALL_EXPORT bool has_images_of_obstacles(const World& world);
+HARDBALL_EXPORT bool has_images_of_obstacles(const Setting& setting);
 
 /// The next contact of a sphere with a face of the box or a surface, where none has come before `now`; if
 /// there is none, an event that never happens. In a periodic box, images of obstacles count that are up to
@@ -26,7 +26,7 @@ HARDBALL_EXPORT bool has_images_of_obstacles(const World& world);
 HARDBALL_EXPORT Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes);
 
 /// The same for a sphere on any path, of this base radius [L]: the event is that of sphere `id`.
-HARDBALL_EXPORT Event next_wall_event(const World& world, SphereId id, const Path& path, double radius,
+HARDBALL_EXPORT Event next_wall_event(const Setting& setting, SphereId id, const Path& path, double radius,
                                       const Time& now, double boxes);
 
 /// What may_meet_wall does for surfaces, and for faces of the box if there is gravity or growth.
@@ -56,20 +56,20 @@ inline bool may_meet_wall(const World& world, Slot slot, double time, const Time
 
 /// The distance from a point to the nearest surface at `moment`, or its nearest image [L]; negative beyond
 /// it, and infinite if there are none.
-HARDBALL_EXPORT double distance_to_surfaces(const World& world, const Vec3& position, const Time& moment);
+HARDBALL_EXPORT double distance_to_surfaces(const Setting& setting, const Vec3& position, const Time& moment);
 
 /// The volume that spheres share: that of the box less the obstacles, or of the one hollow sphere, or tube or
 /// cone along an axis, that encloses them [L^3]; infinite in open space, NaN between other surfaces.
-HARDBALL_EXPORT double accessible_volume(const World& world);
+HARDBALL_EXPORT double accessible_volume(const Setting& setting);
 
 /// The volume of the spheres at `moment` over the accessible volume [1]; NaN in unbounded space, and without
 /// spheres.
 HARDBALL_EXPORT double packing_fraction(const World& world, const Time& moment);
 /// The same for spheres of this volume [L^3]; the world may be without them.
-HARDBALL_EXPORT double packing_fraction(const World& world, double sphere_volume);
+HARDBALL_EXPORT double packing_fraction(const Setting& setting, double sphere_volume);
 
 /// The displacement of the image of a surface nearest to `position`, in a periodic box [L]; zero if the
 /// surface has none.
-HARDBALL_EXPORT Vec3 nearest_image_of(const World& world, const Surface& surface, const Vec3& position);
+HARDBALL_EXPORT Vec3 nearest_image_of(const Setting& setting, const Surface& surface, const Vec3& position);
 
 }  // namespace hardball

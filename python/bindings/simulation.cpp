@@ -21,6 +21,7 @@
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/shared_scenario.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
+#include "hardball/world/step_levels.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/event_records.hpp"
@@ -92,7 +93,7 @@ std::unique_ptr<PythonSimulation> make_simulation(
   for (const auto& [first, second, potential] : bonds) {
     if (potential >= StepTable::kNone)
       throw Error("there is no potential " + to_text(potential), "bonds", "give a number of add_bond");
-    world.add_bond(first, second, static_cast<StepTable::Number>(potential));
+    add_bond(world, first, second, static_cast<StepTable::Number>(potential));
   }
   const EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
   Processes& shared = processes_or_one(processes);

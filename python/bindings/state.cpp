@@ -17,6 +17,9 @@
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/audit.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/step_levels.hpp"
+#include "hardball/world/totals.hpp"
 #include "hardball/world/walls.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/simulation_class.hpp"
@@ -81,8 +84,8 @@ py::dict certificate(const PythonSimulation& self) {
   all["steps_passed"] = tally.steps_passed();
   all["steps_refused"] = tally.steps_refused();
   all["initial_energy"] = tally.initial_energy();
-  all["energy"] = world.energy(simulation.now());
-  all["momentum"] = array_of(world.momentum(simulation.now()));
+  all["energy"] = energy(world, simulation.now());
+  all["momentum"] = array_of(momentum(world, simulation.now()));
   all["max_overlap"] = std::max({tally.max_overlap(), found.max_overlap, found.max_escape});
   all["is_sound"] = found.is_sound();
   return all;
@@ -108,7 +111,7 @@ void bind_arrays(SimulationClass& simulation) {
   of_world(
       "unwrapped_positions",
       [](const World& world, const Time& now) {
-        return vectors_by_id(world, [&](Slot slot) { return world.unwrapped_position(slot, now); });
+        return vectors_by_id(world, [&](Slot slot) { return unwrapped_position(world, slot, now); });
       },
       "All centers now as if they had never been folded into the box [L]. Shape (size, 3).");
   of_world(
@@ -180,12 +183,12 @@ void bind_numbers(SimulationClass& simulation) {
       "wall_contacts", [](const Simulation& self) { return self.tally().wall_contacts(); },
       "The number of contacts with walls so far.");
   number(
-      "energy", [](const Simulation& self) { return self.world().energy(self.now()); }, doc::World_energy);
+      "energy", [](const Simulation& self) { return energy(self.world(), self.now()); }, doc::World_energy);
   number(
-      "kinetic_energy", [](const Simulation& self) { return self.world().kinetic_energy(self.now()); },
+      "kinetic_energy", [](const Simulation& self) { return kinetic_energy(self.world(), self.now()); },
       "Sum of m v^2 / 2 [M L^2 T^-2]; without kinematic spheres. Cost: O(n).");
   number(
-      "step_energy", [](const Simulation& self) { return self.world().step_energy(); },
+      "step_energy", [](const Simulation& self) { return step_energy(self.world()); },
       "The energy of all pairs of spheres that are inside of a step of their potential [M L^2 T^-2]; "
       "`energy` "
       "has it, too. Cost: O(n).");
@@ -193,7 +196,7 @@ void bind_numbers(SimulationClass& simulation) {
       "bonds",
       [](const Simulation& self) {
         py::list bonds;
-        for (const Bond& bond : self.world().bonds())
+        for (const Bond& bond : bonds_of(self.world()))
           bonds.append(py::make_tuple(bond.first, bond.second, bond.potential));
         return bonds;
       },
@@ -209,7 +212,7 @@ void bind_numbers(SimulationClass& simulation) {
       doc::packing_fraction);
   number(
       "momentum",
-      [](const Simulation& self) { return read_only(array_of(self.world().momentum(self.now()))); },
+      [](const Simulation& self) { return read_only(array_of(momentum(self.world(), self.now()))); },
       "Sum of m v [M L/T]. Cost: O(n).");
   number(
       "compressibility", [](const Simulation& self) { return self.tally().compressibility(self.now()); },

@@ -13,6 +13,7 @@
 #include "hardball/packing/packing.hpp"
 #include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/step_levels.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace {
@@ -272,7 +273,7 @@ void print_chains() {
   }
   world.set_interactions(interactions);
   for (SphereId id = 1; id < world.size(); ++id) {
-    if (id % 8 != 0) world.add_bond(id - 1, id, bond);
+    if (id % 8 != 0) add_bond(world, id - 1, id, bond);
   }
   Simulation simulation(std::move(world));
   simulation.run_contacts(20000);

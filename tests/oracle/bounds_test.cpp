@@ -15,7 +15,10 @@
 #include "hardball/engine/step_candidates.hpp"
 #include "hardball/interaction/step_potential.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "hardball/world/sphere_edit.hpp"
+#include "hardball/world/step_levels.hpp"
 #include "support/effort.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/record.hpp"
@@ -436,7 +439,7 @@ World make_wells(Random& random, const Time& now) {
     if (random.uniform() < 0.3) velocity -= (1 - 1e-6) * dot(velocity, along) * along;
     world.add({place + distance * along, world.path(0).velocity + velocity, other_radius, 1}, now);
   }
-  world.assign_levels(now);
+  assign_levels(world, now);
   for (Slot slot = 1; slot < world.size(); ++slot) {
     Path path = world.path(slot);
     const double age = random.uniform() < 0.5 ? 0 : random.uniform() * 0.2;

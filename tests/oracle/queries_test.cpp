@@ -12,6 +12,8 @@
 
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "hardball/world/walls.hpp"
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
@@ -100,7 +102,7 @@ std::optional<NextContact> slow_first_contact(const World& world, Slot slot, con
       const Image nearest =
           world.box().nearest_image(world.unfolded_position(slot, now) - world.unfolded_position(other, now));
       const Image seen = nearest + image;
-      if (world.pass(slot, other) && are_passing(world, slot, other, seen)) return;
+      if (pass(world, slot, other) && are_passing(world, slot, other, seen)) return;
       const Event contact =
           make_collision(contact_time(world, slot, other, seen), world.id(slot), world.id(other), seen);
       if (contact < first) first = contact;

@@ -12,6 +12,9 @@
 
 #include "hardball/geometry/exit_time.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/step_levels.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 #include "support/pieces.hpp"
@@ -108,7 +111,7 @@ struct Outcome {
 };
 
 Outcome outcome_of(const Simulation& simulation, History history) {
-  return {std::move(history), simulation.world().energy(simulation.now()),
+  return {std::move(history), energy(simulation.world(), simulation.now()),
           simulation.world().pair_levels().size()};
 }
 
@@ -118,7 +121,7 @@ void expect_levels(const Simulation& simulation) {
   for (Slot a = 0; a < world.size(); ++a) {
     for (Slot b = 0; b < a; ++b) {
       const PairLevel* const pair = world.pair_levels().find(a, b);
-      const StepTable::Number number = pair ? pair->potential : world.potential_of(a, b);
+      const StepTable::Number number = pair ? pair->potential : potential_of(world, a, b);
       if (number == StepTable::kNone) continue;
       const StepPotential& potential = world.interactions().steps()[number];
       const int level = pair ? pair->level : 0;
@@ -153,7 +156,7 @@ TEST_P(StepsAgree, OnRandomWorlds) {
       SCOPED_TRACE(variant.name);
       try {
         Simulation simulation(made.world, variant.options);
-        const double before = simulation.world().energy(simulation.now());
+        const double before = energy(simulation.world(), simulation.now());
         const bool is_split = expected && &variant == &variants[1 + seed % (variants.size() - 1)];
         Outcome outcome;
         if (is_split) {
@@ -171,7 +174,7 @@ TEST_P(StepsAgree, OnRandomWorlds) {
           const std::optional<Restitution> response = made.world.interactions().table().one_for_all();
           if (response && response->coefficient() == 1 && made.world.surfaces().empty() &&
               made.world.box().has_plain_faces()) {
-            const double scale = made.world.kinetic_energy(Time(0)) + std::fabs(before);
+            const double scale = kinetic_energy(made.world, Time(0)) + std::fabs(before);
             EXPECT_NEAR(outcome.energy, before, 1e-12 * scale);
           }
         }

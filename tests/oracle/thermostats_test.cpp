@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "hardball/numbers/random.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 #include "support/random_world.hpp"

@@ -10,6 +10,7 @@
 
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/record.hpp"
 
 namespace hardball::few_body_test {
@@ -81,7 +82,7 @@ TEST(TwoSpheresInACube, HaveThePressureAndCollisionRateOfTheClosedForm) {
   World world(Box::walls({kSize, kSize, kSize}));
   world.add({.position = {2.3, 3.1, 4.2}, .velocity = {0.61, -0.97, 1.13}, .radius = kRadius});
   world.add({.position = {7.2, 5.9, 6.4}, .velocity = {-1.07, 0.53, 0.89}, .radius = kRadius});
-  const double energy = world.kinetic_energy(Time(0));
+  const double energy = kinetic_energy(world, Time(0));
   Simulation simulation(world);
   simulation.run_contacts(1900000);
   const double t = simulation.time();

@@ -14,6 +14,8 @@
 #include "hardball/measure/measures.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/effort.hpp"
 #include "support/measurement.hpp"
 
@@ -78,9 +80,9 @@ TEST(Shear, WithRateZeroIsThePeriodicBox) {
 
 TEST(Shear, KeepsMomentumAcrossTheFlow) {
   Simulation simulation(make_world({}));
-  const Vec3 before = simulation.world().momentum(simulation.now());
+  const Vec3 before = momentum(simulation.world(), simulation.now());
   simulation.run({.contacts = support::cases(100000)});
-  const Vec3 after = simulation.world().momentum(simulation.now());
+  const Vec3 after = momentum(simulation.world(), simulation.now());
   EXPECT_NEAR(after.y, before.y, 1e-10);
   EXPECT_NEAR(after.z, before.z, 1e-10);
   EXPECT_NEAR(after.x, before.x, 1e-9);
@@ -91,9 +93,9 @@ TEST(Shear, LeavesAFluidBehindThatRises) {
   for (Slot slot = 0; slot < world.size(); ++slot)
     world.change_velocity(slot, Time(0), world.velocity(slot, Time(0)) + Vec3{0, 0.25, 0});
   Simulation simulation(std::move(world));
-  const Vec3 before = simulation.world().momentum(simulation.now());
+  const Vec3 before = momentum(simulation.world(), simulation.now());
   simulation.run({.contacts = support::cases(20000)});
-  const Vec3 after = simulation.world().momentum(simulation.now());
+  const Vec3 after = momentum(simulation.world(), simulation.now());
   EXPECT_NEAR(after.y, before.y, 1e-10);
   EXPECT_NEAR(after.x, before.x - 0.5 * before.y * simulation.time(), 1e-8);
 }
@@ -114,7 +116,7 @@ TEST(Shear, DoesTheWorkThatTheStressSays) {
     std::vector<Vec3> velocities;
     std::vector<Time> since(world.size(), Time(0));
     for (Slot slot = 0; slot < world.size(); ++slot)
-      velocities.push_back(world.peculiar_velocity(world.slot_of(slot), Time(0)));
+      velocities.push_back(peculiar_velocity(world, world.slot_of(slot), Time(0)));
     const auto renew = [&](SphereId id, const Time& now, const Vec3& velocity) {
       carry(velocities[id], duration(since[id], now));
       since[id] = now;
@@ -130,13 +132,14 @@ TEST(Shear, DoesTheWorkThatTheStressSays) {
       renew(contact.first, contact.time, first);
       renew(contact.second, contact.time, second);
     });
-    const double before = world.kinetic_energy(Time(0));
+    const double before = kinetic_energy(world, Time(0));
     simulation.run({.contacts = support::cases(50000)});
     for (SphereId id = 0; id < world.size(); ++id) renew(id, simulation.now(), {});
-    const double gained = world.kinetic_energy(simulation.now()) - before;
+    const double gained = kinetic_energy(world, simulation.now()) - before;
     EXPECT_GT(gained, before / 100);
     EXPECT_NEAR(gained, -rate * (carried + transferred), 1e-9 * (before + gained));
-    EXPECT_NEAR(simulation.tally().shear_work(world.kinetic_energy(simulation.now())), gained, 1e-9 * gained);
+    EXPECT_NEAR(simulation.tally().shear_work(kinetic_energy(world, simulation.now())), gained,
+                1e-9 * gained);
   }
 }
 
@@ -145,11 +148,11 @@ TEST(Shear, IsMeasuredExactly) {
   simulation.run({.contacts = 60000});  // then it is steady
   const World& world = simulation.world();
   Measures measures(MeasureSettings{.names = {"pressure"}});
-  const double before = world.kinetic_energy(simulation.now());
+  const double before = kinetic_energy(world, simulation.now());
   const double work = simulation.tally().shear_work(before);
   const double begin = simulation.time();
   simulation.run({.until = Time(begin + 20)}, measures);
-  const double energy = world.kinetic_energy(simulation.now());
+  const double energy = kinetic_energy(world, simulation.now());
   const std::vector<Measurement> results = measures.results(world, simulation.now());
   const double done = simulation.tally().shear_work(energy) - work;
   const double volume = world.box().volume();

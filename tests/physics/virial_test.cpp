@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 #include "support/random_world.hpp"
@@ -43,7 +44,7 @@ struct VirialBalance {
 VirialBalance balance_of(const World& world, const RunLimits& limits) {
   Simulation simulation(world);
   VirialBalance balance;
-  double energy = world.kinetic_energy(Time(0));
+  double energy = kinetic_energy(world, Time(0));
   Time last;
   const auto square = [](const Vec3& v) { return dot(v, v); };
   const auto add = [&](double term) {

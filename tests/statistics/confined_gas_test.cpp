@@ -11,6 +11,7 @@
 
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/totals.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball::confined_gas_test {
@@ -48,7 +49,7 @@ TEST(BarometricFormula, HoldsInADiluteGas) {
   std::array<double, 4> above{};
   for (int sample = 0; sample < kSamples; ++sample) {
     simulation.run_until(1000 + 50 * sample);
-    energy += simulation.world().kinetic_energy(simulation.now());
+    energy += kinetic_energy(simulation.world(), simulation.now());
     for (const Vec3& place : simulation.positions()) {
       const double height = place.z - kRadius;
       heights += height;
@@ -168,7 +169,7 @@ void expect_pressure(const Surface& surface, const Box& box, std::size_t dimensi
   const double impulse = simulation.tally().wall(kFaces).normal_impulse;
   EXPECT_NEAR((kinetic + virial - change) / (impulse * inner), 1, 1e-10);
 
-  const double temperature = 2 * world.kinetic_energy(Time(0)) / (3 * kSpheres);
+  const double temperature = 2 * kinetic_energy(world, Time(0)) / (3 * kSpheres);
   const double packing = kSpheres * 4 * std::numbers::pi / 3 * kRadius * kRadius * kRadius / volume;
   const double bulk = kSpheres * temperature * (1 + 4 * packing + 10 * packing * packing);
   // Spheres at the wall are shielded from collisions on one side: of the order of the packing fraction times

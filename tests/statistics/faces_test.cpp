@@ -14,6 +14,7 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/interacting.hpp"
 
 namespace hardball::faces_test {
@@ -85,7 +86,7 @@ void expect_balance(const Simulation& simulation) {
     given += wall.work + wall.heat;
     turned_over += std::fabs(wall.work) + std::fabs(wall.heat);
   }
-  const double gained = simulation.world().energy(simulation.now()) - simulation.tally().initial_energy();
+  const double gained = energy(simulation.world(), simulation.now()) - simulation.tally().initial_energy();
   EXPECT_NEAR(gained, given, 1e-12 * turned_over);
 }
 

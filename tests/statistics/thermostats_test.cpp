@@ -8,6 +8,7 @@
 
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 #include "support/record.hpp"
@@ -30,7 +31,7 @@ TEST(AndersenThermostat, SamplesTheCanonicalEnsemble) {
   double squares = 0;
   for (int k = 1; k <= kSamples; ++k) {
     simulation.run_until(start + 3 * k / kRate);
-    const double energy = simulation.world().kinetic_energy(simulation.now());
+    const double energy = kinetic_energy(simulation.world(), simulation.now());
     sum += energy;
     squares += energy * energy;
   }
@@ -98,7 +99,7 @@ void expect_steady_temperature(double e, double packing_fraction) {
   // The scatter is sqrt(2 / 3N) / sqrt(200 / 22), 0.6%; the mean kick, which is subtracted, 1 / N; the noise
   // builds up correlations of velocities that the theory neglects, 1% at these e.
   EXPECT_NEAR(temperature, 1, 0.03);
-  const Vec3 momentum = simulation.world().momentum(simulation.now());
+  const Vec3 momentum = momentum(simulation.world(), simulation.now());
   EXPECT_LT(length(momentum), 1e-9);
 }
 
@@ -117,11 +118,11 @@ TEST(RescaleThermostat, KeepsTheTemperatureOfACoolingGas) {
   for (int k = 1; k <= 40; ++k) {
     simulation.run_until(0.5 * k);
     // The momentum, which is zero, has three degrees of freedom.
-    const double temperature = 2 * simulation.world().kinetic_energy(simulation.now()) / (3.0 * 499);
+    const double temperature = 2 * kinetic_energy(simulation.world(), simulation.now()) / (3.0 * 499);
     EXPECT_NEAR(temperature, 2, 1e-12);
   }
   EXPECT_GT(simulation.thermostat()->energy(), 100);
-  EXPECT_LT(length(simulation.world().momentum(simulation.now())), 1e-10);
+  EXPECT_LT(length(momentum(simulation.world(), simulation.now())), 1e-10);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
 
@@ -33,7 +34,7 @@ TEST(WallPressure, ObeysTheSumRuleOfKineticEnergyAndVirial) {
   double walls = 0;
   for (Face face = 0; face < 2 * kAxes; ++face)
     walls += tally.wall_impulse(face) / (2 * t) * (size - 2 * kRadius);
-  const double expected = 2 * world.kinetic_energy(Time(0)) + tally.virial() / t;
+  const double expected = 2 * kinetic_energy(world, Time(0)) + tally.virial() / t;
   const double half = size / 2 - kRadius;
   const double bound = 4 * std::sqrt(2 * kSpheres * half * half) / t;
   EXPECT_LT(bound, 1e-3 * expected);

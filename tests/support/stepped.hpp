@@ -11,6 +11,7 @@
 #include "hardball/interaction/passing.hpp"
 #include "hardball/interaction/step_potential.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/world/step_levels.hpp"
 #include "support/random_world.hpp"
 
 namespace hardball::support {
@@ -68,7 +69,7 @@ class StepMaker {
     }
     interactions.set_steps(table);
     made_.world.set_interactions(interactions);
-    for (const auto& [ids, potential] : ties) made_.world.add_bond(ids.first, ids.second, potential);
+    for (const auto& [ids, potential] : ties) add_bond(made_.world, ids.first, ids.second, potential);
     made_.name += ", " + to_text(table.size()) + " potentials and " + to_text(ties.size()) + " bonds";
   }
 

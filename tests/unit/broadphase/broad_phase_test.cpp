@@ -20,6 +20,8 @@
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
 #include "support/sheared.hpp"

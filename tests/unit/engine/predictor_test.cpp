@@ -15,6 +15,8 @@
 #include "hardball/bounds/compact_paths.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/world/images.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 #include "support/instruction_sets.hpp"

@@ -14,6 +14,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/interaction/restitution.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball::execute_test {

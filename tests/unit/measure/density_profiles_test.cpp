@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/density_profiles.hpp"
+#include "hardball/world/totals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +73,7 @@ TEST(DensityProfiles, AddUpToTheSpheres) {
       volume += support::column(found, "packing_fraction_" + name).values[bin] * slab;
     }
     EXPECT_NEAR(spheres, 50, 1e-9) << name;
-    EXPECT_NEAR(volume, world.sphere_volume(Time(0)), 1e-9) << name;
+    EXPECT_NEAR(volume, sphere_volume(world, Time(0)), 1e-9) << name;
   }
 }
 

@@ -20,6 +20,7 @@
 #include "hardball/measure/wall_forces.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/crystal.hpp"
 #include "support/discs.hpp"
 #include "support/measurement.hpp"
@@ -145,7 +146,7 @@ TEST(DensityProfilesOfDiscs, AddUpToTheDiscs) {
       area += column(found, "packing_fraction_" + name).values[bin] * slab;
     }
     EXPECT_NEAR(discs, 5, 1e-9);
-    EXPECT_NEAR(area, world.sphere_volume(Time(0)), 1e-9);
+    EXPECT_NEAR(area, sphere_volume(world, Time(0)), 1e-9);
   }
   EXPECT_EQ(column(found, "number_density_x").unit, "L^-2");
   EXPECT_EQ(quantity(found, "pressure_at_walls").unit, "M T^-2");

@@ -16,6 +16,7 @@
 
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 
@@ -43,7 +44,7 @@ Scatter scatter_of(const std::function<World(std::uint64_t)>& make) {
     const World& world = simulation.world();
     const Scene scene(world, Time(0));
     const ThermalMotion motion = scene.thermal_motion();
-    const double temperature = 2 * world.energy(Time(0)) / motion.degrees_of_freedom / motion.temperature();
+    const double temperature = 2 * energy(world, Time(0)) / motion.degrees_of_freedom / motion.temperature();
     sum += temperature;
     squares += temperature * temperature;
     said += RandomStart(scene).spread(scene).temperature;

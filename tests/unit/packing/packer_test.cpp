@@ -11,6 +11,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/packing/protocol.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/packing.hpp"
 
 namespace hardball::packer_test {
@@ -332,7 +333,7 @@ TEST(Packing, GoesOnAsAGas) {
   request.goal = 0.55;
   const Packing packing = support::pack(request);
   Simulation simulation(world_of(packing.spheres, 2, 7));
-  EXPECT_NEAR(simulation.world().kinetic_energy(simulation.now()) / 100, 3, 0.8);
+  EXPECT_NEAR(kinetic_energy(simulation.world(), simulation.now()) / 100, 3, 0.8);
   simulation.run_contacts(1000);
   simulation.validate();
 }

@@ -17,6 +17,7 @@
 #include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/sphere_edit.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 #include "support/scratch_folder.hpp"
@@ -140,7 +141,7 @@ TEST(RecordedBodies, AreThoseOfTheSimulationAtAnyTime) {
   ASSERT_GT(tally.passes(), 10U);
   EXPECT_EQ(tally.mergers(), run.mergers);
   EXPECT_EQ(run.simulation.size(), 150 - tally.mergers());
-  ASSERT_GT(run.simulation.world().rotational_energy(), 0);
+  ASSERT_GT(rotational_energy(run.simulation.world()), 0);
   RecordingReader reader(folder / "recording.hbr");
   ASSERT_GT(reader.chunks().size(), 3U);
   for (const Snapshot& snapshot : snapshots) expect_same(moment_of(reader, snapshot.time), snapshot);
@@ -335,8 +336,10 @@ TEST(RecordedBodies, ThatNoRunCanProduceAreRefused) {
   const ScratchFolder folder;
   const std::string bytes = merger(folder);
   const std::size_t chunk = RecordingReader(folder / "merger.hbr").chunks().at(0).bytes.offset;
-  const std::size_t body = chunk + recording_format::Layout::kSummedHeadBytes + 2 * recording_format::Layout::kPathBytes;
-  const std::size_t contact = bytes.size() - recording_format::Layout::kChecksumBytes - kLayout.contact_bytes();
+  const std::size_t body =
+      chunk + recording_format::Layout::kSummedHeadBytes + 2 * recording_format::Layout::kPathBytes;
+  const std::size_t contact =
+      bytes.size() - recording_format::Layout::kChecksumBytes - kLayout.contact_bytes();
   const auto with = [&](std::size_t at, const std::string& replacement) {
     std::string changed = bytes;
     changed.replace(at, replacement.size(), replacement);

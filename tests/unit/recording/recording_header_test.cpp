@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/recording/recording_header.hpp"
+#include "hardball/world/step_levels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,8 +75,8 @@ TEST(RecordingHeader, HasBonds) {
   Interactions interactions;
   interactions.set_steps(steps);
   world.set_interactions(interactions);
-  world.add_bond(2, 1, tether);
-  world.add_bond(0, 1, tether);
+  add_bond(world, 2, 1, tether);
+  add_bond(world, 0, 1, tether);
   const RecordingHeader header = recording_header(Simulation(world));
   const std::vector<std::array<SphereId, 2>> bonds{{0, 1}, {1, 2}};
   EXPECT_EQ(header.bonds, bonds);

@@ -145,7 +145,8 @@ TEST(Recording, ContainsGravityAndSurfaces) {
 
 TEST(Recording, WithoutGravityAndSurfacesThereAreNone) {
   const RecordingHeader header = parse_recording_header(
-      R"({"spheres": 2, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})", "test");
+      R"({"spheres": 2, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})",
+      "test");
   EXPECT_EQ(header.gravity, Vec3{});
   EXPECT_TRUE(header.surfaces.empty());
 }
@@ -509,7 +510,8 @@ TEST(Recording, RefusesWhatNoRunCanProduce) {
   const std::size_t chunk = whole.chunks()[0].bytes.offset;
   const recording_format::Layout layout = whole.header().layout();
   const std::size_t path = chunk + recording_format::Layout::kSummedHeadBytes;
-  const std::size_t contact = bytes.size() - recording_format::Layout::kChecksumBytes - layout.contact_bytes();
+  const std::size_t contact =
+      bytes.size() - recording_format::Layout::kChecksumBytes - layout.contact_bytes();
   const auto with = [&](std::size_t at, const std::string& replacement) {
     std::string changed = bytes;
     changed.replace(at, replacement.size(), replacement);
@@ -557,11 +559,11 @@ TEST(Recording, OfBeforeTheFirstReleaseIsRefused) {
 }
 
 TEST(Recording, InvalidHeadersAreRefused) {
-  const std::string box = R"("bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
-  EXPECT_EQ(
-      parse_recording_header(R"({"more": {"a": [1, {}, null, "x"]}, "spheres": 2, )" + box + "} ", "x")
-          .spheres,
-      2U);
+  const std::string box =
+      R"("bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
+  EXPECT_EQ(parse_recording_header(R"({"more": {"a": [1, {}, null, "x"]}, "spheres": 2, )" + box + "} ", "x")
+                .spheres,
+            2U);
   const std::vector<std::string> nonsense{
       "",
       "{",
@@ -633,7 +635,8 @@ TEST(Recording, WhateverAHeaderContainsIsReadOrRefused) {
 
 // The message with which a header with these surfaces is refused; empty if it is read.
 std::string refusal_of_surfaces(const std::string& surfaces) {
-  const std::string box = R"("bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
+  const std::string box =
+      R"("bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
   try {
     parse_recording_header(R"({"spheres": 2, )" + box + R"(, "surfaces": )" + surfaces + "}", "run.hbr");
     return "";

@@ -14,6 +14,7 @@
 #include "hardball/trajectory/snapshot_reader.hpp"
 #include "hardball/trajectory/trajectory.hpp"
 #include "hardball/world/audit.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::flat_scenario_test {
@@ -52,7 +53,7 @@ TEST(FlatScenario, PlacesDiscsWithTheVelocitiesOfTwoDimensions) {
   const World warm = world_of(kSquare + group + "mass = { density = 2.0 }\ntemperature = 3\n");
   EXPECT_TRUE(audit(warm, Time(0)).is_sound());
   EXPECT_DOUBLE_EQ(warm.mass(7), std::numbers::pi / 2);
-  EXPECT_NEAR(warm.kinetic_energy(Time(0)), 200 * 3.0, 1e-9) << "kT for each disc";
+  EXPECT_NEAR(kinetic_energy(warm, Time(0)), 200 * 3.0, 1e-9) << "kT for each disc";
   const World moving = world_of(kSquare + group + "mean_speed = 3\n");
   double speeds = 0;
   for (const Path& path : moving.paths()) speeds += length(path.velocity);

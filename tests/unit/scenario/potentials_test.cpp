@@ -11,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/scenario.hpp"
+#include "hardball/world/step_levels.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::potentials_test {
@@ -87,9 +88,9 @@ longest = 1.5
   EXPECT_EQ(scenario.bonds[0].pairs, (std::vector<std::pair<SphereId, SphereId>>{{0, 1}, {2, 3}}));
   EXPECT_EQ(scenario.bonds[0].rules.steps.back(), (Step{1.2, 0}));
   World world = make_world(scenario);
-  EXPECT_EQ(world.bonds(), (std::vector<Bond>{{0, 1, 0}, {1, 2, 1}, {2, 3, 0}}));
-  world.assign_levels(Time(0));
-  EXPECT_EQ(world.step_energy(), 0) << "beyond the step, within the tether";
+  EXPECT_EQ(bonds_of(world), (std::vector<Bond>{{0, 1, 0}, {1, 2, 1}, {2, 3, 0}}));
+  assign_levels(world, Time(0));
+  EXPECT_EQ(step_energy(world), 0) << "beyond the step, within the tether";
 }
 
 TEST(Bonds, AreReadFromFiles) {
@@ -114,7 +115,7 @@ TEST(Bonds, AreReadFromFiles) {
   write_text(folder / "bonds.txt", "0 -1\n");
   EXPECT_NE(refused().find("-1 is not the id"), std::string::npos);
   write_text(folder / "bonds.txt", "0 1\n\n 3\t2 \n");
-  EXPECT_EQ(make_world(scenario).bonds(), (std::vector<Bond>{{0, 1, 0}, {2, 3, 0}}));
+  EXPECT_EQ(bonds_of(make_world(scenario)), (std::vector<Bond>{{0, 1, 0}, {2, 3, 0}}));
 }
 
 TEST(Potentials, AreRefusedWithTheirPlace) {

@@ -12,6 +12,7 @@
 #include "hardball/hardball.hpp"
 #include "hardball/recording/recording_reader.hpp"
 #include "hardball/recording/recording_writer.hpp"
+#include "hardball/world/totals.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 #include "support/scratch_folder.hpp"
@@ -33,7 +34,7 @@ Thermostat speed_doubler(double every) {
 }
 
 double temperature_of(const Simulation& simulation) {
-  return 2 * simulation.world().kinetic_energy(simulation.now()) / 6;
+  return 2 * kinetic_energy(simulation.world(), simulation.now()) / 6;
 }
 
 TEST(SimulationWithThermostat, ActsAtItsTimes) {
@@ -195,14 +196,14 @@ TEST(SimulationWithThermostat, CanBeCopiedAndStopped) {
   Simulation stopped(head_on_pair());
   stopped = simulation;
   stopped.set_thermostat(std::nullopt);
-  const double energy = stopped.world().kinetic_energy(stopped.now());
+  const double energy = kinetic_energy(stopped.world(), stopped.now());
   simulation.run_until(20);
   copy.run_until(20);
   stopped.run_until(20);
   EXPECT_EQ(copy.event_log_hash(), simulation.event_log_hash());
   EXPECT_EQ(copy.positions(), simulation.positions());
   EXPECT_GT(copy.thermostat()->events(), 40U);
-  EXPECT_NEAR(stopped.world().kinetic_energy(stopped.now()), energy, 1e-14 * energy);
+  EXPECT_NEAR(kinetic_energy(stopped.world(), stopped.now()), energy, 1e-14 * energy);
 }
 
 TEST(SimulationWithThermostat, CountsItsActionsAsSteps) {
@@ -230,7 +231,7 @@ TEST(SimulationWithThermostat, GivesTheEnergyItSays) {
     simulation.set_thermostat(Thermostat(kind, 6));
     simulation.run_until(5);
     const double gained =
-        simulation.world().kinetic_energy(simulation.now()) - simulation.tally().initial_energy();
+        kinetic_energy(simulation.world(), simulation.now()) - simulation.tally().initial_energy();
     EXPECT_GT(simulation.thermostat()->energy(), 50);
     EXPECT_NEAR(simulation.thermostat()->energy(), gained, 1e-10);
   }
@@ -342,7 +343,7 @@ TEST(SimulationWithThermostat, IsNoEquilibriumOfAFixedEnergy) {
     if (is_driven) simulation.set_thermostat(Thermostat(Rescale(2 * energy / (3 * 199), 1)));
     Measures measures({.names = {"pressure", "temperature"}});
     simulation.run_until(2, measures);
-    ASSERT_NEAR(simulation.world().kinetic_energy(simulation.now()), energy, 1e-10 * energy);
+    ASSERT_NEAR(kinetic_energy(simulation.world(), simulation.now()), energy, 1e-10 * energy);
     const auto results = measures.results(simulation.world(), simulation.now());
     EXPECT_EQ(std::isnan(results[0].quantities[0].theory), is_driven);
     EXPECT_EQ(results[1].quantities[0].error == 0, !is_driven);

@@ -21,6 +21,7 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/trajectory/gsd_file.hpp"
 #include "hardball/trajectory/gsd_reader.hpp"
+#include "hardball/world/images.hpp"
 #include "hardball/world/sphere_edit.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -410,7 +411,7 @@ TEST(Trajectory, TiltsTheCellOfAShearedBox) {
       const Vec3 unfolded =
           position + Vec3{image[0] * 6.0 + image[1] * box.tilt, image[1] * 5.0, image[2] * 7.0};
       const Slot slot = world.slot_of(static_cast<SphereId>(snapshot.ids[i]));
-      ASSERT_LT(length(unfolded - world.unwrapped_position(slot, Time(time))), 1e-9);
+      ASSERT_LT(length(unfolded - unwrapped_position(world, slot, Time(time))), 1e-9);
     }
   }
 }

@@ -14,6 +14,7 @@
 #include "hardball/queries/queries.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/surfaces/surface.hpp"
+#include "hardball/world/images.hpp"
 #include "hardball/world/static_hash_grid.hpp"
 #include "hardball/world/world.hpp"
 
@@ -98,8 +99,8 @@ TEST(ShearedBox, NeedsPeriodsAlongXAndY) {
 TEST(ShearedWorld, FollowsASphereAcrossTheFace) {
   World world(sheared_box());
   world.add({.position = {3, 4, 2}, .velocity = {0.25, 1, 0}, .radius = 0.5});
-  const Vec3 peculiar = world.peculiar_velocity(0, Time(0));
-  Vec3 before = world.unwrapped_position(0, Time(0));
+  const Vec3 peculiar = peculiar_velocity(world, 0, Time(0));
+  Vec3 before = unwrapped_position(world, 0, Time(0));
   for (int k = 1; k <= 400; ++k) {
     const Time now(k / 20.0);
     const Vec3 position = world.position(0, now);
@@ -108,17 +109,17 @@ TEST(ShearedWorld, FollowsASphereAcrossTheFace) {
       ASSERT_LE(position[axis], world.box().size()[axis] + 1e-12);
     }
     // The peculiar velocity knows nothing of the image; what rises falls behind.
-    ASSERT_NEAR(world.peculiar_velocity(0, now).x, peculiar.x - 0.3 * now.value(), 1e-12);
-    ASSERT_NEAR(world.velocity(0, now).x, world.peculiar_velocity(0, now).x + world.flow_velocity(0, now).x,
+    ASSERT_NEAR(peculiar_velocity(world, 0, now).x, peculiar.x - 0.3 * now.value(), 1e-12);
+    ASSERT_NEAR(world.velocity(0, now).x, peculiar_velocity(world, 0, now).x + flow_velocity(world, 0, now).x,
                 1e-12);
     // Rewriting the path changes nothing, and never moves the unwrapped center.
     if (k % 7 == 0) world.rewrite_path(0, now, world.velocity(0, now));
-    const Vec3 unwrapped = world.unwrapped_position(0, now);
+    const Vec3 unwrapped = unwrapped_position(world, 0, now);
     ASSERT_NEAR(unwrapped.y - before.y, 0.05, 1e-12);
     ASSERT_LE(std::fabs(unwrapped.x - before.x), 0.5 + 1e-9);
     before = unwrapped;
   }
-  EXPECT_GT(world.image(0, Time(20))[1], 3);
+  EXPECT_GT(image_of(world, 0, Time(20))[1], 3);
 }
 
 TEST(ShearedWorld, RefusesWhatDoesNotGoTogether) {

@@ -11,6 +11,8 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/interaction/merging.hpp"
 #include "hardball/interaction/passing.hpp"
+#include "hardball/world/step_levels.hpp"
+#include "hardball/world/totals.hpp"
 #include "hardball/world/world.hpp"
 #include "support/interacting.hpp"
 
@@ -40,7 +42,7 @@ int level(const World& world, Slot a, Slot b) {
 
 std::string error_of(World world) {
   try {
-    world.assign_levels(Time(0));
+    assign_levels(world, Time(0));
   } catch (const Error& error) {
     return error.what();
   }
@@ -50,15 +52,15 @@ std::string error_of(World world) {
 TEST(Levels, FollowFromDistances) {
   World world = row({0, 1.1, 2.7, 6});
   world.set_interactions(support::stepping({.steps = {{1.25, -2}, {1.75, -1}}}));
-  world.assign_levels(Time(0));
+  assign_levels(world, Time(0));
   EXPECT_EQ(level(world, 0, 1), 2);
   EXPECT_EQ(level(world, 1, 2), 1);
   EXPECT_EQ(level(world, 0, 2), 0);
   EXPECT_EQ(level(world, 2, 3), 0);
   EXPECT_EQ(world.pair_levels().size(), 2U);
-  EXPECT_EQ(world.step_energy(), -3);
-  EXPECT_EQ(world.step_energy(1), -1.5);
-  EXPECT_EQ(world.energy(Time(0)), -3);
+  EXPECT_EQ(step_energy(world), -3);
+  EXPECT_EQ(step_energy(world, 1), -1.5);
+  EXPECT_EQ(energy(world, Time(0)), -3);
 }
 
 TEST(Levels, AtAStepAreInsideOfThoseThatApproach) {
@@ -66,13 +68,13 @@ TEST(Levels, AtAStepAreInsideOfThoseThatApproach) {
   for (const double velocity : {-1.0, 0.0, 1.0}) {
     World world = row({0, 1.5}, {0, velocity});
     world.set_interactions(well);
-    world.assign_levels(Time(0));
+    assign_levels(world, Time(0));
     EXPECT_EQ(level(world, 0, 1), velocity < 0 ? 1 : 0) << velocity;
   }
   // Half a unit in the last place nearer.
   World world = row({0x1p-54, 1.5}, {0, 1});
   world.set_interactions(well);
-  world.assign_levels(Time(0));
+  assign_levels(world, Time(0));
   EXPECT_EQ(level(world, 0, 1), 0) << "the separation is rounded to the step";
 }
 
@@ -81,7 +83,7 @@ TEST(Levels, ThroughPeriodicBoundaries) {
   world.add({.position = {0.25, 2, 2}, .radius = 0.5});
   world.add({.position = {3.5, 2, 2}, .radius = 0.5});
   world.set_interactions(support::stepping({.steps = {{1.5, -1}}}));
-  world.assign_levels(Time(0));
+  assign_levels(world, Time(0));
   EXPECT_EQ(level(world, 0, 1), 1);
 }
 
@@ -102,26 +104,26 @@ TEST(Levels, OfBondsAreCheckedAtTheStart) {
       table.add_bond(StepPotential({.steps = {{1.2, 0}}, .core = 0.9, .is_tether = true}));
   interactions.set_steps(table);
   world.set_interactions(interactions);
-  EXPECT_THROW(world.add_bond(0, 0, bond), Error);
-  EXPECT_THROW(world.add_bond(0, 5, bond), Error);
-  EXPECT_THROW(world.add_bond(0, 1, bond + 1), Error);
-  world.add_bond(1, 0, bond);
-  EXPECT_THROW(world.add_bond(0, 1, bond), Error) << "twice";
+  EXPECT_THROW(add_bond(world, 0, 0, bond), Error);
+  EXPECT_THROW(add_bond(world, 0, 5, bond), Error);
+  EXPECT_THROW(add_bond(world, 0, 1, bond + 1), Error);
+  add_bond(world, 1, 0, bond);
+  EXPECT_THROW(add_bond(world, 0, 1, bond), Error) << "twice";
   EXPECT_NE(error_of(world).find("spheres 0 and 1 are tied"), std::string::npos);
-  ASSERT_EQ(world.bonds().size(), 1U);
-  EXPECT_EQ(world.bonds()[0], (Bond{0, 1, bond}));
-  EXPECT_EQ(world.core_ratio(0, 1), 0.9);
+  ASSERT_EQ(bonds_of(world).size(), 1U);
+  EXPECT_EQ(bonds_of(world)[0], (Bond{0, 1, bond}));
+  EXPECT_EQ(core_ratio(world, 0, 1), 0.9);
   World near = row({0, 0.95});
   near.set_interactions(interactions);
-  near.add_bond(0, 1, bond);
-  near.assign_levels(Time(0));
+  add_bond(near, 0, 1, bond);
+  assign_levels(near, Time(0));
   EXPECT_EQ(level(near, 0, 1), 1);
 }
 
 TEST(Levels, FollowSpheresThatAreRemovedAndReordered) {
   World world = row({0, 1.2, 2.4, 3.6});
   world.set_interactions(support::stepping({.steps = {{1.5, -1}}}));
-  world.assign_levels(Time(0));
+  assign_levels(world, Time(0));
   const World before = world;
   world.begin_journal();
   world.remove(1, Time(1));
@@ -140,11 +142,11 @@ TEST(Levels, FollowSpheresThatAreRemovedAndReordered) {
 TEST(Levels, AreSaved) {
   World world = row({0, 1.2, 2.4});
   world.set_interactions(support::stepping({.steps = {{1.5, -1}}}));
-  world.assign_levels(Time(0));
+  assign_levels(world, Time(0));
   World loaded(Box::open());
   restore(archived(world), "test", loaded);
   EXPECT_EQ(loaded.pair_levels().in_order(), world.pair_levels().in_order());
-  EXPECT_EQ(loaded.step_energy(), -2);
+  EXPECT_EQ(step_energy(loaded), -2);
   EXPECT_EQ(loaded.bounding_radius(0), 0.75);
 }
 
