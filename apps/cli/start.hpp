@@ -18,7 +18,7 @@ namespace hardball::cli {
 /// that is not a number or out of range; neither scenario nor command line gives `until`.
 Scenario read_scenario(const ScenarioChoice& choice);
 
-/// A scenario with the changes that `choice` makes by --until and --seed. Error: likewise.
+/// A scenario with the changes that `choice` makes by --until and --seed. Error: as for read_scenario.
 Scenario changed_by(const ScenarioChoice& choice, Scenario scenario);
 
 /// The scenario of several processes, which each of them reads by itself: perhaps from the disk of another

@@ -26,13 +26,13 @@ struct TimedBlocks {
 struct RunProgress {
   bool is_finished = false;                ///< The run has ended.
   std::optional<std::string> failure;      ///< Why it ended early.
-  std::optional<std::string> damage = {};  ///< Of the recording, which ends before it.
-  std::uint64_t collisions = 0;            ///< Of spheres that did not pass through each other.
-  std::uint64_t mergers = 0;               ///< Those of them after which the spheres were one.
+  std::optional<std::string> damage = {};  ///< Why the recording ends early, if it is damaged.
+  std::uint64_t collisions = 0;            ///< Collisions of spheres that did not pass through each other.
+  std::uint64_t mergers = 0;               ///< Collisions after which two spheres were one.
   std::uint64_t walls = 0;
   double rate = 0;                          ///< Contacts per second of wall-clock time.
-  std::optional<std::uint64_t> hash;        ///< Of the event log.
-  std::vector<TimedBlocks> divisions = {};  ///< Of a live run, in the order of times.
+  std::optional<std::uint64_t> hash;        ///< Hash of the event log.
+  std::vector<TimedBlocks> divisions = {};  ///< Blocks of domains in a live run, in the order of times.
   WindowCounters windows = {};
 };
 

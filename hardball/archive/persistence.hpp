@@ -37,7 +37,8 @@ class Persistence {
   }
 };
 
-/// Those of a class that are written as their bytes: nothing but doubles and 32-bit integers, without gaps.
+/// Whether objects of a class are written as their bytes: they consist of doubles and 32-bit integers alone,
+/// without gaps.
 template <class T>
 inline constexpr bool kIsPlain = requires {
   requires T::kIsPlain;

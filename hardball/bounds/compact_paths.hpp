@@ -29,10 +29,10 @@ class CompactPaths {
   /// Copies all paths at `now`, where candidates are at most `farthest` [L] apart, and spheres move no
   /// farther before they are copied again. Cost: O(n).
   void reset(const World& world, double farthest, const Time& now);
-  /// The same in a sheared box, where the broad phase does not see to it that spheres do not move farther
-  /// than `most_moved` [L]: then copies expire. Precondition: `farthest` is at least least_farthest(), and at
-  /// least `most_moved`; half of the shortest period is more than `most_moved` and the distance of
-  /// candidates.
+  /// Copies all paths at `now` in a sheared box. There the broad phase does not keep spheres from moving
+  /// farther than `most_moved` [L]; copies expire instead. Precondition: `farthest` is at least
+  /// least_farthest(), and at least `most_moved`; half of the shortest period is more than `most_moved` and
+  /// the distance of candidates.
   void reset(const World& world, double farthest, double most_moved, const Time& now);
   /// The distance at which the heights of a sheared box fit into the ring of integers [L].
   static double least_farthest(const Box& box);
@@ -118,7 +118,7 @@ class CompactPaths {
   double time_unit() const { return time_unit_; }
   /// The largest radii of the epoch by slot, in units, rounded up; null if all are `radius(0)`.
   const float* radii() const { return radii_.empty() ? nullptr : radii_.data(); }
-  /// The same for bounds; null if scale() has all.
+  /// Radii by slot for bounds, as radii() returns them; null if scale() has all.
   const float* radii_for_bounds() const { return are_radii_few_ ? nullptr : radii(); }
   float radius(Slot slot) const {
     return are_radii_few_ ? scale_.radii[paths_[slot].revision % CompactPath::kRadii] : radii_[slot];

@@ -14,7 +14,7 @@ namespace hardball {
 struct Anchor {
   std::array<std::int32_t, 3> position{};  ///< On the grid of CompactPaths, modulo 2^32 steps.
   CellIndex cell{};
-  std::uint32_t expiry = 0;  ///< Of the list where rows slide, modulo 2^32 of its ticks.
+  std::uint32_t expiry = 0;  ///< When the list expires where rows slide, modulo 2^32 of its ticks.
 };
 
 // On the grid of CompactPaths, modulo 2^32 steps.

@@ -137,8 +137,8 @@ class Candidates {
     end();
   }
 
-  /// The same for candidates that mean nearest images: keep(slots, count, kept) writes those wanted to
-  /// `kept`, which may be `slots` and has room for a whole vector more, and returns how many they are.
+  /// Keeps only some of the candidates, which mean nearest images: keep(slots, count, kept) writes those
+  /// wanted to `kept`, which may be `slots` and has room for a whole vector more, and returns their number.
   template <class Keep>
   void keep_slots(Keep&& keep) {
     if (size_ > room_) {

@@ -12,7 +12,8 @@
 
 namespace hardball {
 
-/// Which list holds the spheres of a cell: the paper's subspace tree, with a formula in place of the tree.
+/// Computes which list holds the spheres of a cell: the paper's subspace tree, with a formula in place of the
+/// tree.
 ///
 /// - If there are few cells per sphere, each has a list.
 /// - If spheres are expected in a part of the box, only the cells there have lists of their own. Along each
@@ -26,7 +27,7 @@ class CellTable {
   CellTable() = default;
   /// The cells of `cells`; `expected` is where spheres are expected.
   CellTable(const Subdivision& cells, std::size_t spheres, const CellSpans& expected);
-  /// The same for spheres that may be anywhere.
+  /// A table for spheres that may be anywhere.
   CellTable(const Subdivision& cells, std::size_t spheres);
 
   /// The number of lists.
@@ -57,7 +58,7 @@ class CellTable {
     }
     return place * along.stride;
   }
-  /// The same for an index and the next one.
+  /// The parts of an index and of the next one.
   using Pair = std::array<std::uint32_t, 2>;
   HARDBALL_ALWAYS_INLINE Pair parts_from(std::size_t axis, std::int32_t index) const {
     const Axis& along = axes_[axis];

@@ -10,7 +10,7 @@
 
 namespace hardball {
 
-/// Which spheres are too large for the cells of a LargeSphereGrid, and the sizes that follow from these
+/// The sizes that follow from the cells of a LargeSphereGrid, and which spheres are too large for these
 /// cells.
 ///
 /// If none of the others is larger than a cell, these are kept in blocks of cells, which is the fastest. So
@@ -38,14 +38,14 @@ struct LargeSizes {
   /// Nothing if the cells do not suit the world: no sphere is large, more are large than not, or the box is
   /// so small that candidates would not be nearest images. Cost: O(n).
   static std::optional<LargeSizes> in(const World& world, const Subdivision& cells);
-  /// The same of some of the spheres of a world that the cells suit, however many of them are large. Nothing
-  /// if the cells suit no such world.
+  /// The sizes for some of the spheres of a world that the cells suit, however many of them are large;
+  /// nothing if the cells suit no such world. Cost: O(n).
   static std::optional<LargeSizes> in_part(const World& part, const Subdivision& cells);
 
   double largest_in_grid = 0;  ///< The largest radius that is not large [L].
   double largest = 0;          ///< The largest radius that there may be [L].
-  double second_largest = 0;   ///< That of all but one [L].
-  std::size_t count = 0;       ///< Of large spheres.
+  double second_largest = 0;   ///< The largest radius of all spheres but one [L].
+  std::size_t count = 0;       ///< Number of large spheres.
   double skin = 0;             ///< How far a large sphere moves from its anchor [L].
   double surfaces = 0;         ///< Cells that the surfaces of the large ones touch, about [1].
   double farthest = 0;         ///< The distance of a large sphere and a candidate [L].

@@ -75,7 +75,7 @@ class SlidingAnchors {
   double step_of_list(const Time& now) const {
     return rows_.step(expire() ? after(now, duration_ / 2) : now);
   }
-  /// The same for lists of which only the present counts.
+  /// Prepares for lists of which only the present counts.
   void look_at_the_present() { duration_ = 0; }
 
  private:

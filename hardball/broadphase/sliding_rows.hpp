@@ -46,7 +46,8 @@ class SlidingRows {
       note(now);
   }
 
-  /// The same; displacements may jump by whole boxes, and stay small.
+  /// Makes displacements at moments near this one cheap, as keep_near does, and keeps them small: they may
+  /// jump by whole boxes.
   void keep_near_and_small(const Time& now) {
     if (is_near(duration(noted_at_, now))) [[likely]]
       return;
@@ -62,7 +63,7 @@ class SlidingRows {
       return noted(row, since);
     return exact_displacement(row, moment);
   }
-  /// The same of a row and the one above.
+  /// The displacements of a row and of the one above [L].
   std::array<double, 2> displacements(std::int32_t row, const Time& moment) const {
     const double since = duration(noted_at_, moment);
     if (is_near(since) && is_noted(row) && is_noted(row + 1)) [[likely]]

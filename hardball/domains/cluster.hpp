@@ -37,8 +37,8 @@ class Cluster {
  public:
   /// What becomes of the contacts of a window.
   struct Kept {
-    bool log = false;  ///< They are kept in a log.
-    bool sums = true;  ///< They are added up when it is committed.
+    bool log = false;  ///< Contacts are kept in a log.
+    bool sums = true;  ///< Contacts are added up when the window is committed.
   };
 
   /// Takes over domains that together, with those that `exchange` reaches, hold a world as it is at `now`.

@@ -33,8 +33,8 @@ struct LoggedContact {
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
   Contact contact;
-  bool counts = true;                  ///< Another domain counts it otherwise.
-  DomainNumber other_owner = kNobody;  ///< Of the other sphere, if that is a ghost: it logs the contact, too.
+  bool counts = true;                  ///< Whether this domain counts the contact; if not, another one does.
+  DomainNumber other_owner = kNobody;  ///< Owner of the other sphere, if a ghost; logs the contact, too.
 };
 
 /// The spheres in and around a block of the box, with an engine of their own, which runs ahead through a

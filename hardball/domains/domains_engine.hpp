@@ -36,7 +36,7 @@ class DomainsEngine final : public EngineBase {
   DomainsEngine(World world, const PhaseSettings& phase, const Division& division, const Time& now,
                 Processes& processes = one_process());
   /// Divides a system of which each process brings some of the spheres, wherever they are; all are brought
-  /// once. `empty`: the world without spheres. Precondition and error: likewise.
+  /// once. `empty`: the world without spheres. Precondition and error: as for the other constructor.
   DomainsEngine(World empty, Travelers brought, const PhaseSettings& phase, const Division& division,
                 const Time& now, Processes& processes);
   DomainsEngine(const DomainsEngine& other);
@@ -53,7 +53,7 @@ class DomainsEngine final : public EngineBase {
   Counters counters() const override;
   WindowCounters windows() const override { return windows_before_ + cluster_->window_counters(); }
   std::size_t memory_bytes() const override;
-  /// Those of the first domain.
+  /// The lengths of the first domain.
   PhaseLengths lengths() const override { return cluster_->domain(0).engine().lengths(); }
   std::vector<Block> blocks() const override;
   GasStatistics statistics(const Time& moment) const override;

@@ -6,7 +6,7 @@ namespace hardball {
 
 /// What a domain holds around its block.
 struct Halo {
-  double depth = 0;    ///< Of the halo: spheres whose centers lie so near the block are held, too [L].
+  double depth = 0;    ///< Width of the halo: spheres with centers this near the block are held, too [L].
   double slack = 0;    ///< A sphere is held until its center is farther away by this much more [L].
   double contact = 0;  ///< The largest distance of two centers at a contact [L].
 

@@ -15,7 +15,7 @@ namespace hardball {
 /// What the domains of a division have had to do since it was made, and whether another one would pay: by
 /// counts alone, so that all who share a system decide alike, in every run.
 struct Load {
-  std::vector<std::uint64_t> contacts;  ///< Of own spheres, by domain.
+  std::vector<std::uint64_t> contacts;  ///< Contacts of own spheres, by domain.
   WindowCounters windows;
 
   /// How many more contacts all domains could have had while they waited for the one that has most.

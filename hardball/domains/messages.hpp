@@ -18,8 +18,8 @@ struct PathRecord {
   static constexpr SphereId kWall = std::numeric_limits<SphereId>::max();
 
   Path path;  ///< After the contact.
-  Vec3 spin;  ///< Likewise [1/T].
-  Time time;  ///< Of the contact.
+  Vec3 spin;  ///< Spin after the contact [1/T].
+  Time time;  ///< Time of the contact.
   SphereId sphere = 0;
   SphereId partner = kWall;  ///< Whom the sphere met.
   /// Whether that is an own sphere of the domain that is told, or that notes it of a ghost.
@@ -30,7 +30,7 @@ struct PathRecord {
 
 /// A part of a path that leads near a block, of a sphere that the block's domain does not hold.
 struct Flight {
-  double begin = 0;     ///< Of that part [T].
+  double begin = 0;     ///< When that part begins [T].
   double distance = 0;  ///< From the block then [L].
   double speed = 0;     ///< The largest component of the velocity then [L/T].
   double least = 0;     ///< No point of the part is nearer to the block [L].
@@ -65,7 +65,7 @@ struct Handover {
 
 /// What one domain tells another in a window.
 struct Outbox {
-  std::vector<PathRecord> records;  ///< Of own spheres that the other holds, in the order of time.
+  std::vector<PathRecord> records;  ///< Own spheres that the other domain holds, in the order of time.
   std::vector<Flight> flights;
   std::vector<Doubt> doubts;  ///< About spheres that the other owns.
   std::vector<SphereId> departures;

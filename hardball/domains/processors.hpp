@@ -11,9 +11,10 @@ namespace hardball {
 /// The processors on which the calling thread may run, by number; empty where that cannot be found out.
 std::vector<int> available_processors();
 
-/// Those of so many available processors that one of a team of threads is to run on: no other thread of the
-/// team runs on them. Several, if there are more than threads, so that the operating system can choose one
-/// that other processes leave alone. Precondition: there are at least as many processors as threads.
+/// The available processors on which one of a team of threads is to run; no other thread of the team runs on
+/// them. If there are more processors than threads, a thread gets several, so that the operating system can
+/// choose one that other processes leave alone. Precondition: there are at least as many processors as
+/// threads.
 std::vector<int> processors_of_thread(const std::vector<int>& available, std::size_t threads,
                                       std::size_t number);
 

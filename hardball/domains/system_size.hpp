@@ -17,7 +17,7 @@ namespace hardball {
 /// What the depth of halos and the length of windows follow from. Its parts may be in several places.
 struct SystemSize {
   std::uint64_t spheres = 0;
-  double speeds = 0;   ///< Their sum [L/T].
+  double speeds = 0;   ///< Sum of the speeds of all spheres [L/T].
   double contact = 0;  ///< The largest distance of two centers at a contact [L].
 
   /// The size of a world as it is at `moment`. Cost: O(n).

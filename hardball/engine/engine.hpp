@@ -187,7 +187,7 @@ class Engine final : public EngineBase {
     predict_all(forecast_, queue_, slots);
   }
 
-  /// See put.hpp. Precondition: likewise.
+  /// See put.hpp. Precondition: as for put.
   void put_on_paths(std::span<const NewPath> paths, const Time& moment) {
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);

@@ -45,7 +45,7 @@ enum class RunStatus {
   steps_reached,     ///< RunLimits::steps have been taken.
   stopped,           ///< RunLimits::stop asked for it.
   observer_stopped,  ///< The observer asked for it.
-  outdated,          ///< Of engines: a sphere does not fit their structures, and `rebuild` must follow.
+  outdated,          ///< A sphere does not fit the structures of the engine, and `rebuild` must follow.
 };
 
 /// Who is told of the contacts of a run, in their order.
@@ -83,8 +83,8 @@ struct Counters {
   std::uint64_t leave = 0;
   std::uint64_t stale = 0;                ///< Predictions made again because a partner's path had changed.
   std::uint64_t predictions = 0;          ///< Candidates bounded or computed, with repetitions and padding.
-  std::uint64_t contact_predictions = 0;  ///< Of these, those made after contacts.
-  std::uint64_t enter_predictions = 0;    ///< Of these, those made after crossings.
+  std::uint64_t contact_predictions = 0;  ///< Predictions made after contacts.
+  std::uint64_t enter_predictions = 0;    ///< Predictions made after crossings.
   std::uint64_t queue_operations = 0;     ///< Entries inserted into the queue or removed.
   std::uint64_t rebuilds = 0;             ///< How often all regions and predictions were rebuilt.
 

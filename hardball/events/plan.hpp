@@ -25,7 +25,7 @@ class alignas(32) Plan {
   double contact() const { return contact_; }
   /// [T], or any time after the contact.
   double crossing() const { return crossing_; }
-  /// Of a bound: no contact comes before it but with the partner [T].
+  /// The safe-until time of a bound: no contact comes before it but with the partner [T].
   double safe_until() const { return safe_until_or_low_; }
   /// The time of a contact.
   Time contact_time() const { return {contact_, safe_until_or_low_}; }

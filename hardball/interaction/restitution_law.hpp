@@ -10,7 +10,7 @@
 
 namespace hardball {
 
-/// The same coefficient of restitution at any impact speed [1].
+/// A coefficient of restitution that does not depend on the impact speed [1].
 struct ConstantRestitution {
   double value = 1;
 
@@ -30,7 +30,7 @@ class HARDBALL_EXPORT ViscoelasticRestitution {
   double at(double speed) const;
   /// The impact speed at which the coefficient was given [L/T].
   double speed() const { return speed_; }
-  /// The same law where all speeds are this many times as large.
+  /// This law where all speeds are multiplied by `factor`.
   ViscoelasticRestitution scaled(double factor) const;
 
  private:

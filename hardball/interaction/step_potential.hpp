@@ -139,8 +139,8 @@ class HARDBALL_EXPORT StepTable {
 
 /// A step that the two spheres of a contact have come to.
 struct StepAttempt {
-  StepTable::Number potential = StepTable::kNone;  ///< Its number in the step table.
-  std::uint8_t step = 0;                           ///< Its number, counted from the inside.
+  StepTable::Number potential = StepTable::kNone;  ///< Number of the potential in the step table.
+  std::uint8_t step = 0;                           ///< Number of the step, counted from the inside.
   bool is_outward = false;                         ///< Whether the spheres came from inside.
   bool passes = false;  ///< Whether they pass the step; if not, they bounce off it.
   /// The potential energy beyond the step less that before it [M L^2 T^-2]; infinite at the end of a tether.

@@ -21,7 +21,7 @@ class Crc32 {
   std::uint32_t state_ = 0xffffffff;
 };
 
-/// Of one part.
+/// The checksum of one part.
 inline std::uint32_t crc32_of(std::string_view bytes) {
   Crc32 crc;
   crc.add(bytes);

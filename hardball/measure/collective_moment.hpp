@@ -46,7 +46,7 @@ class CollectiveMoment {
   }
 
   const MomentLags& lags() const { return lags_; }
-  /// Those of a copy that has gone on to `now`.
+  /// The lags of a copy that has advanced to `now`.
   MomentLags lags_at(const Time& now) const {
     CollectiveMoment later = *this;
     later.advance(now);

@@ -23,7 +23,7 @@ class ContactExtrapolation {
 
   using Bins = std::array<double, kBins>;
 
-  /// Of no bins.
+  /// An extrapolation without bins.
   ContactExtrapolation() = default;
 
   /// Bins fill the space within the gap 0 to `width` [L] of a sphere at contact with a sphere of radius

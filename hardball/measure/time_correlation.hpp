@@ -47,7 +47,7 @@ class TimeCorrelation {
   /// each product.
   using Link = void (*)(std::span<const Vec3> earlier, std::span<const Vec3> later, double* sums);
 
-  /// Of no spheres.
+  /// A correlation of no spheres.
   TimeCorrelation() = default;
   /// Starts at the time of the scene; `interval` [T] is positive. Cost: O(n).
   TimeCorrelation(const Scene& scene, double interval, std::size_t most_spheres, const Shape& shape);

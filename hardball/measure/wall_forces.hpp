@@ -34,7 +34,7 @@ class WallForces {
   explicit WallForces(const Scene& scene);
 
   void note(const Contact& contact);
-  /// Of the thermostat.
+  /// Records a change of velocity by the thermostat.
   void note(const VelocityChange& change);
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;

@@ -28,7 +28,7 @@ struct ContactNetwork {
   /// for contacts to mean anything.
   double tolerance = 0;
   std::vector<PackingContact> contacts;  ///< By the first body, then the second; those of rattlers, too.
-  std::vector<bool> rattles;  ///< Of each sphere: it is not held by at least d + 1 others, or walls.
+  std::vector<bool> rattles;  ///< By sphere: whether it is not held by at least d + 1 others, or walls.
   std::size_t rattlers = 0;
   std::size_t backbone_contacts = 0;  ///< Without those of rattlers.
   /// Contacts of the backbone over the number that holds it with one state of stress: d for each sphere, less

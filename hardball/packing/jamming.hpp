@@ -22,7 +22,7 @@ inline double root(double volume, std::size_t exponent) {
 
 /// Mean and width of the sizes of spheres, and how much of the volume the largest make up.
 struct SizeStatistics {
-  double mean = 0;                 ///< Of the radii [L].
+  double mean = 0;                 ///< Mean of the radii [L].
   double largest = 0;              ///< [L]
   double mean_volume = 0;          ///< The mean of radius^dimensions [L^3], of discs [L^2].
   double deviation = 0;            ///< The standard deviation of radii over their mean [1].

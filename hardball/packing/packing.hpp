@@ -33,12 +33,12 @@ struct HARDBALL_EXPORT Packing {
   /// whatever gap or diameter was wanted is there [1].
   double shrink = 1;
   double largest_overlap = 0;  ///< In the numbers as they are written, over the sum of the radii [1].
-  double smallest_gap = 0;     ///< Between two bodies, likewise [1].
+  double smallest_gap = 0;     ///< Between two bodies as written, over the sum of the radii [1].
   double pressure =
       std::numeric_limits<double>::quiet_NaN();  ///< PV/NkT of the median sphere before `shrink` [1].
   double rate = 0;                               ///< The last one, as in GrowthRules.
   std::uint64_t collisions = 0;
-  ContactNetwork network;    ///< Of the numbers as they are written.
+  ContactNetwork network;    ///< Contacts counted in the numbers as they are written.
   bool is_polished = false;  ///< Whether its last gaps were removed, see polish().
   double crystalline = 0;    ///< The share of spheres in crystals, see crystalline_share [1].
   std::vector<PackingMoment> history;

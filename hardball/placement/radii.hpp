@@ -26,11 +26,11 @@ struct RadiusDistribution {
   Kind kind = Kind::uniform;
   double min = 0;                    ///< [L]
   double max = 0;                    ///< [L]
-  double mean = 0;                   ///< Of the radius, before any is redrawn [L]: lognormal.
+  double mean = 0;                   ///< Mean of the radius, before any is redrawn [L]: lognormal.
   double sigma = 0;                  ///< The standard deviation of ln(radius) [1]: lognormal.
   double exponent = 0;               ///< [1]: powerlaw.
   std::vector<double> values = {};   ///< [L]: discrete.
-  std::vector<double> weights = {};  ///< Of the values [1]: discrete.
+  std::vector<double> weights = {};  ///< Weights of the values [1]: discrete.
   std::filesystem::path file = {};
   std::string where = {};  ///< What names it in messages: a place in a scenario, or an argument.
 

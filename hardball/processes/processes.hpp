@@ -20,7 +20,7 @@ class HARDBALL_EXPORT Processes {
  public:
   virtual ~Processes() = default;
 
-  /// Which of them this one is; the first is 0.
+  /// The rank of this process; the first is 0.
   virtual std::size_t rank() const = 0;
   virtual std::size_t size() const = 0;
   bool is_first() const { return rank() == 0; }

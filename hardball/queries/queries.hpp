@@ -55,8 +55,8 @@ struct Clearance {
 HARDBALL_EXPORT std::optional<NextContact> first_contact(const World& world, const Time& now, SphereId id,
                                                          const Vec3& velocity, const Time& until);
 
-/// The same for a sphere that is not in the world; `first` is kNoSphere. What it overlaps and approaches, it
-/// hits now. Error: see World::add.
+/// The first contact of a sphere that is not in the world; `first` is kNoSphere. It hits now what it overlaps
+/// and approaches. Error: see World::add.
 HARDBALL_EXPORT std::optional<NextContact> first_contact(const World& world, const Time& now,
                                                          const Sphere& sphere, const Time& until);
 

@@ -50,13 +50,14 @@ class HARDBALL_EXPORT RecordingWriter {
   /// sphere is added or removed but by a merger, which needs bodies. Error (RunFailure): the file cannot be
   /// written.
   void note(const Contact& contact, const World& world);
-  /// The same of a contact in which no spheres merge.
+  /// Records a contact in which no spheres merge. Error (RunFailure): the file cannot be written.
   void note(const Contact& contact);
-  /// The same of a contact of a simulation, which is asked for the world only if spheres merge: for
-  /// Observer::contact.
+  /// Records a contact of a simulation, which is asked for the world only if spheres merge: for
+  /// Observer::contact. Error (RunFailure): the file cannot be written.
   void note(const Contact& contact, const Simulation& simulation);
   void note(const VelocityChange& change, const World& world);
-  /// An epoch of growth has begun. Precondition: likewise; the header says that spheres may grow.
+  /// Records an epoch of growth that has begun. Precondition: the header says that spheres may grow. Error
+  /// (RunFailure): the file cannot be written.
   void note(const Growth& epoch);
 
   /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts at the time of

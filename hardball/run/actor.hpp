@@ -35,7 +35,7 @@ class Actor {
   virtual std::string_view deed() const = 0;
   /// When it acts next; kNever for never.
   virtual Time next() const = 0;
-  /// What it does at `moment`, which rounds to next(). Cost: that of the actor. Error: likewise.
+  /// What it does at `moment`, which rounds to next(). Cost: that of the actor. Error: that of the actor.
   virtual Action act(const World& world, const Tally& tally, const Time& moment) = 0;
 
   /// After so many more contacts, at least one, it acts even if its time has not come.

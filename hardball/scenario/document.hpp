@@ -21,7 +21,7 @@ struct Entry;
 
 /// A value in a scenario file or an override.
 struct Node {
-  struct Date {};  ///< Or a time: no key takes one.
+  struct Date {};  ///< A date or a time, which no key takes.
   using Array = std::vector<Node>;
   using Table = std::vector<Entry>;  ///< In the order of keys.
 

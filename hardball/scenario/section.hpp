@@ -25,7 +25,7 @@ class Value {
   std::string location() const { return document_->text_of(node_->location); }
 
   double number() const;
-  /// Also accepts numbers such as 1e5.
+  /// The value as an integer; accepts numbers such as 1e5, too.
   std::uint64_t integer() const;
   bool truth() const;
   std::string text() const;

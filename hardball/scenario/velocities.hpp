@@ -21,8 +21,8 @@ namespace hardball {
 class DrawnVelocities {
  public:
   enum class Memory {
-    all,   ///< They are drawn once, and kept.
-    none,  ///< They are drawn anew whenever they are wanted, for those who cannot keep all.
+    all,   ///< Velocities are drawn once, and kept.
+    none,  ///< Velocities are drawn again whenever they are wanted, for callers that cannot keep all.
   };
 
   /// Draws them from `random`, which is then where it is after all have been drawn. Precondition: the groups

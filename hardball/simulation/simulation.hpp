@@ -62,9 +62,10 @@ class HARDBALL_EXPORT Simulation {
   /// start; invalid options (see EngineOptions).
   explicit Simulation(World world, const EngineOptions& options = {}, const OnProgress& on_progress = {});
   /// Starts the same world, which all of several processes have whole. They outlive the simulation; threads
-  /// are those of each process. Error: likewise, in all processes; something that they cannot share: merging
-  /// spheres, potentials of steps, a sheared box, a response that is a function; an engine other than cells
-  /// and neighbors; a box that is too small for so many processes.
+  /// are those of each process. Error, in all processes: spheres that overlap or reach through a wall;
+  /// invalid options; something that they cannot share: merging spheres, potentials of steps, a sheared box,
+  /// a response that is a function; an engine other than cells and neighbors; a box that is too small for so
+  /// many processes.
   Simulation(World world, const EngineOptions& options, Processes& processes,
              const OnProgress& on_progress = {});
   /// Starts a world of which each process brings some of the spheres, with their ids; all are brought once.
@@ -259,7 +260,7 @@ class HARDBALL_EXPORT Simulation {
   /// Calls visit(world, slot) for each sphere that this process has; see EngineBase.
   void for_each_sphere(const Function<void(const World&, Slot)>& visit) const;
 
-  /// Those that share the simulation.
+  /// The processes that share the simulation.
   Processes& processes() const;
 
   const EngineOptions& options() const;

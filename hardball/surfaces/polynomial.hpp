@@ -15,7 +15,7 @@ namespace hardball {
 struct HARDBALL_EXPORT Polynomial {
   static constexpr std::size_t kMaxDegree = 4;
 
-  std::array<DoubleDouble<>, kMaxDegree + 1> coefficients{};  ///< Of t^0, t^1, and so on.
+  std::array<DoubleDouble<>, kMaxDegree + 1> coefficients{};  ///< Coefficients of t^0, t^1, and so on.
 
   DoubleDouble<> operator()(double t) const;
   /// The highest power whose coefficient is not zero.

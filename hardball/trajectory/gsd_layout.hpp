@@ -136,7 +136,7 @@ enum class Chunk : std::uint16_t {
   bond_type_id,
   bonds
 };
-/// So many names the oldest files have that a run may go on with.
+/// How many names the oldest files have that a run can continue.
 inline constexpr std::size_t kFewestNames = 23;
 inline constexpr std::array<std::string_view, 27> kChunkNames{
     "configuration/step",

@@ -39,7 +39,7 @@ enum class SphereColumn {
 };
 inline constexpr std::size_t kSphereColumns = 19;
 
-/// Their names, in the order of SphereColumn.
+/// The names of the columns, in the order of SphereColumn.
 inline constexpr std::array<std::string_view, kSphereColumns> kSphereColumnNames{
     "x",    "y",  "z",  "vx", "vy",     "vz",     "radius", "diameter", "mass",      "id",
     "type", "ix", "iy", "iz", "omegax", "omegay", "omegaz", "moment",   "species_id"};

@@ -22,7 +22,7 @@ double rebuild_cost(const CellCounts& counts, const UnitCosts& costs);
 /// docs/theory.md.
 double optimal_cell_edge(const GasStatistics& statistics, const UnitCosts& costs = {});
 
-/// The same with its cost, for a CellGrid of spheres of about one size.
+/// The optimal edge with its cost, for a CellGrid of spheres of about one size.
 BestLength best_cell_edge(const GasStatistics& statistics, const UnitCosts& costs);
 
 /// The edge [L] by the paper's own equation, where c1 and c3 are the cost of a prediction and c4 that of

@@ -38,7 +38,7 @@ class Block {
   /// The ends [L]; infinite where the box has no ends or walls, which nothing passes.
   double low(std::size_t axis) const { return low_[axis]; }
   double high(std::size_t axis) const { return high_[axis]; }
-  /// Of the box [L]; zero along an axis that is not periodic.
+  /// The period of the box [L]; zero along an axis that is not periodic.
   double period(std::size_t axis) const { return period_[axis]; }
   /// Whether the block is only a part of the box along an axis.
   bool is_divided(std::size_t axis) const { return is_divided_[axis]; }
@@ -78,7 +78,7 @@ class Block {
     return most;
   }
 
-  /// The same for the nearest point of another block.
+  /// The distance of the nearest point of another block [L].
   double distance(const Block& other) const {
     double most = -kInfinity;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

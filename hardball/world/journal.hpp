@@ -46,7 +46,7 @@ class Journal {
     level,    ///< The level of a pair.
   };
   struct Change {
-    Time time;      ///< Of the change [T].
+    Time time;      ///< Time of the change [T].
     Slot slot = 0;  ///< Where the sphere is stored, or was.
     Kind kind = Kind::path;
   };

@@ -25,7 +25,8 @@ HARDBALL_EXPORT bool has_images_of_obstacles(const World& world);
 /// `boxes` box lengths away along each axis from where the sphere is now.
 HARDBALL_EXPORT Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes);
 
-/// The same for a sphere on any path, of this base radius [L]: the event is that of sphere `id`.
+/// The next contact of a sphere of this base radius [L] on any path with a face of the box or a surface; the
+/// event is that of sphere `id`.
 HARDBALL_EXPORT Event next_wall_event(const World& world, SphereId id, const Path& path, double radius,
                                       const Time& now, double boxes);
 
@@ -65,7 +66,8 @@ HARDBALL_EXPORT double accessible_volume(const World& world);
 /// The volume of the spheres at `moment` over the accessible volume [1]; NaN in unbounded space, and without
 /// spheres.
 HARDBALL_EXPORT double packing_fraction(const World& world, const Time& moment);
-/// The same for spheres of this volume [L^3]; the world may be without them.
+/// The packing fraction of spheres of this total volume [L^3] in the accessible volume [1]; the world may be
+/// without them.
 HARDBALL_EXPORT double packing_fraction(const World& world, double sphere_volume);
 
 /// The displacement of the image of a surface nearest to `position`, in a periodic box [L]; zero if the

@@ -73,7 +73,7 @@ class HARDBALL_EXPORT World : CompilationCheck {
   /// Error: `change_velocity` would refuse this velocity.
   void check_velocity(SphereId id, const Vec3& velocity) const;
 
-  /// The same box, gravity, surfaces and interactions, and no spheres.
+  /// A world with this box, gravity, surfaces and interactions, and without spheres.
   World without_spheres() const;
   /// All that is known of one sphere.
   SphereState state_of(Slot slot) const;
@@ -81,8 +81,8 @@ class HARDBALL_EXPORT World : CompilationCheck {
   /// slot, the last. Precondition: no sphere has this id; there is no journal. Cost: O(log n), and as of
   /// IdOrder::insert.
   Slot insert(const SphereState& state);
-  /// The same for many: state_of(k) returns the k-th. Leaves some room for others. Cost: O(n log n), or O(ids
-  /// ever given).
+  /// Stores many spheres with the ids and paths that they have in another world: state_of(k) returns the
+  /// k-th. Leaves some room for others. Cost: O(n log n), or O(ids ever given).
   template <class MakeState>
   void insert_all(std::size_t count, MakeState&& state_of) {
     constexpr std::size_t kRoom = 16;
@@ -94,7 +94,8 @@ class HARDBALL_EXPORT World : CompilationCheck {
   /// Removes a sphere; the one in the last slot takes its place. `moment` is for the journal. Cost: O(log n)
   /// amortized. Error: no sphere has this id.
   void remove(SphereId id, const Time& moment = Time(0)) { remove_at(slot_of(id), moment); }
-  /// The same of the sphere in a slot.
+  /// Removes the sphere in a slot; the one in the last slot takes its place. `moment` is for the journal.
+  /// Cost: O(log n) amortized.
   void remove_at(Slot slot, const Time& moment);
   /// Undoes the last addition, and releases its id. Precondition: nothing else has changed since.
   void undo_add();
@@ -173,25 +174,25 @@ class HARDBALL_EXPORT World : CompilationCheck {
     return motion_.position_at(paths_[slot], moment);
   }
   /// The velocity at `moment` along the path [L/T]; in a sheared box, that of the image which began it.
-  /// Precondition: likewise.
+  /// Precondition: `moment` is finite.
   Vec3 unfolded_velocity(Slot slot, const Time& moment) const {
     return motion_.velocity_at(paths_[slot], moment);
   }
-  /// The velocity at `moment` of the image that is in the box [L/T]. Precondition: likewise.
+  /// The velocity at `moment` of the image that is in the box [L/T]. Precondition: `moment` is finite.
   Vec3 velocity(Slot slot, const Time& moment) const {
     if (box_.is_sheared()) [[unlikely]]
       return velocity_in_box(slot, moment);
     return unfolded_velocity(slot, moment);
   }
   /// The velocity relative to the flow of a sheared box where the sphere is [L/T], the same for all its
-  /// images; the velocity where there is no shear. Precondition: likewise.
+  /// images; the velocity where there is no shear. Precondition: `moment` is finite.
   Vec3 peculiar_velocity(Slot slot, const Time& moment) const {
     if (box_.is_sheared()) [[unlikely]]
       return velocity(slot, moment) - flow_velocity(slot, moment);
     return unfolded_velocity(slot, moment);
   }
   /// The velocity of the flow of a sheared box where the sphere is in the box [L/T]; zero where there is no
-  /// shear. Precondition: likewise.
+  /// shear. Precondition: `moment` is finite.
   Vec3 flow_velocity(Slot slot, const Time& moment) const {
     return {box_.is_sheared() ? box_.flow_speed(position(slot, moment).y) : 0, 0, 0};
   }
@@ -199,7 +200,7 @@ class HARDBALL_EXPORT World : CompilationCheck {
 
   /// Prefetches a sphere's path. The slot need not be in use.
   void prefetch(Slot slot) const { hardball::prefetch(paths_.data() + slot); }
-  /// The same for its radius and mass, of which each has its own.
+  /// Prefetches a sphere's radius and mass, where each sphere has its own. The slot need not be in use.
   void prefetch_size(Slot slot) const {
     if (!radii_.is_common()) radii_.prefetch(slot);
     if (!masses_.is_common()) masses_.prefetch(slot);
@@ -275,7 +276,7 @@ class HARDBALL_EXPORT World : CompilationCheck {
   /// The energy of all steps that a sphere is inside of, half of each pair's [M L^2 T^-2]. Cost: O(pairs of
   /// the sphere).
   double step_energy(Slot slot) const;
-  /// That of all spheres [M L^2 T^-2]. Cost: O(n).
+  /// The energy of all steps that spheres are inside of [M L^2 T^-2]. Cost: O(n).
   double step_energy() const;
   /// Ties two spheres together by a potential of the step table. Error: no sphere has an id; they are one, or
   /// tied already; the potential is not a tether. Precondition: assign_levels follows.
@@ -287,7 +288,8 @@ class HARDBALL_EXPORT World : CompilationCheck {
   /// state. Cost: O(n). Error: spheres that are tied are too far apart or too close; a step reaches to half
   /// of a periodic box.
   void assign_levels(const Time& moment);
-  /// The same for one sphere that has been added, and others that may be near it. Cost: O(others).
+  /// Finds the levels of the pairs of one sphere that has been added with others that may be near it. Cost:
+  /// O(others).
   void assign_levels(Slot added, std::span<const Slot> others, const Time& moment);
 
   /// The last contact of spheres that passed through each other; before the first, earlier than any.
@@ -417,7 +419,7 @@ struct PairEvent {
 /// function of their paths and their level.
 HARDBALL_EXPORT PairEvent next_pair_event(const World& world, Slot a, Slot b, const Image& image);
 
-/// The same for a sphere and one of its pairs.
+/// The next event of a sphere and one of its pairs with a potential of steps.
 HARDBALL_EXPORT PairEvent next_pair_event(const World& world, Slot slot, const PairLevel& pair,
                                           const Image& image);
 
