@@ -14,7 +14,7 @@ enum class ExitCode : int {
   bad_input = 2,  ///< The scenario or the command line is wrong.
 };
 
-/// Each executes a command. Error: bad input; RunFailure: the run failed.
+/// Each of the functions below executes a command. Error: bad input; RunFailure: the run failed.
 
 /// Several processes call it with the same options; only the first one writes messages, and files but for
 /// checkpoints. Error: in all processes.

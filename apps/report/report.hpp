@@ -43,7 +43,7 @@ struct SurfaceReport {
 struct ThermostatReport {
   std::string kind;          ///< As in scenarios: "andersen".
   std::uint64_t events = 0;  ///< How often it acted.
-  double energy = 0;         ///< That it gave to the spheres [M L^2 T^-2].
+  double energy = 0;         ///< Energy given to the spheres [M L^2 T^-2].
 };
 
 /// How the spheres have grown.
@@ -52,7 +52,7 @@ struct GrowthReport {
   std::uint64_t epochs = 0;                                           ///< How many have begun.
   double compressibility = std::numeric_limits<double>::quiet_NaN();  ///< In the last epoch [1].
   double work = 0;    ///< The energy that contacts of growing spheres have given [M L^2 T^-2].
-  double energy = 0;  ///< That given by halving velocities, negative [M L^2 T^-2].
+  double energy = 0;  ///< Energy given by halving velocities, negative [M L^2 T^-2].
 };
 
 /// The shear of the box.

@@ -47,9 +47,9 @@ class SharedRecording {
   ~SharedRecording();
   SharedRecording(const SharedRecording&) = delete;
 
-  /// As RecordingReader::verify.
+  /// See RecordingReader::verify.
   void verify(const std::function<void(const RecordedChunk&)>& take);
-  /// As RecordingReader::damage.
+  /// See RecordingReader::damage.
   std::optional<std::string> damage() const;
 
   /// Finds added chunks, and sets the progress of the run. Error: see RecordingReader::refresh.
@@ -62,9 +62,9 @@ class SharedRecording {
   /// The progress of the run, and the end times of the chunks from number `from` on: one JSON object.
   std::string status_json(std::uint64_t from) const;
 
-  /// Where radii and masses lie in the file.
+  /// The part of the file that holds radii and masses.
   FileExtent spheres() const { return reader_.spheres(); }
-  /// Where a chunk lies in the file; none if it is not there yet.
+  /// The part of the file that holds a chunk; none if it is not there yet.
   std::optional<FileExtent> chunk(std::uint64_t number) const;
   /// Length of the recording up to its last complete chunk.
   std::uint64_t length() const;

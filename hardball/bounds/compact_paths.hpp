@@ -39,11 +39,11 @@ class CompactPaths {
   /// Makes room for one more sphere, or for one of another radius, and copies its path at `now`. Cost: O(1)
   /// amortized.
   void insert(const World& world, Slot slot, const Time& now);
-  /// The sphere in one slot is in another now. The revisions of the slots stay.
+  /// Moves the copy of a sphere to another slot. The revisions of the slots stay.
   void move(Slot from, Slot to);
   /// Whether speeds have changed, or units were chosen long ago: then `renew` pays.
   bool are_outdated() const { return unbounded_ > most_unbounded_ || copies_ > most_copies_; }
-  /// As reset(), with the distance given before.
+  /// Copies all paths again, as reset() does, with the distance given to reset().
   void renew(const World& world, const Time& now) { reset(world, farthest_, most_moved_, now); }
 
   /// Copies one path as it is at `now`.
@@ -57,7 +57,7 @@ class CompactPaths {
   /// Whether the last copy says anything of the contacts of the sphere.
   bool is_bounded(Slot slot) const { return !std::isnan(paths_[slot].velocity[0]); }
 
-  /// Notes that a path has changed; returns its new revision.
+  /// Records that a path has changed; returns its new revision.
   std::uint32_t note_change(Slot slot) {
     paths_[slot].revision += kRevision;
     return revision(slot);

@@ -9,7 +9,7 @@
 
 namespace hardball {
 
-/// Where a sphere's neighbor list was made. In a sheared box an anchor moves with its row of cells
+/// The place where a sphere's neighbor list was made. In a sheared box an anchor moves with its row of cells
 /// (SlidingAnchors): its position along x is that in its row.
 struct Anchor {
   std::array<std::int32_t, 3> position{};  ///< On the grid of CompactPaths, modulo 2^32 steps.

@@ -31,7 +31,7 @@ class ApproachList {
   struct Sources {
     const World& world;
     const CompactPaths& copies;
-    const SlotSet& large;  ///< These are always listed.
+    const SlotSet& large;  ///< Large spheres are always listed.
     double usual_speed;    ///< [L/T]
     double skin;           ///< Skin of the large sphere's cells [L].
   };

@@ -53,7 +53,7 @@ class Candidates {
   /// The displacements of the images along an axis [L]. Precondition: not uses_minimum_image().
   const double* shifts(std::size_t axis) const { return shifts_[axis].data(); }
 
-  /// Makes the candidates those of a list elsewhere, whole vectors of slots, which must stay as it is until
+  /// Makes the candidates those of a list elsewhere, whole vectors of slots, which must not change until
   /// begin().
   void refer_to(std::span<const Slot> listed) {
     listed_ = listed.data();

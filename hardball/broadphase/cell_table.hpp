@@ -18,10 +18,10 @@ namespace hardball {
 /// - If there are few cells per sphere, each has a list.
 /// - If spheres are expected in a part of the box, only the cells there have lists of their own. Along each
 ///   axis, all indices elsewhere count as one.
-/// - If there are many cells all the same, or space is unbounded, any cells may share a list.
+/// - If there are too many cells even so, or space is unbounded, any cells may share a list.
 ///
-/// Those who search a cell that shares its list find the spheres of others as well. Memory is O(spheres). The
-/// number of a list is a sum over the axes, modulo 2^32, or the first bits of it. Cost: O(1).
+/// A search of a cell that shares its list also finds the spheres of the other cells. Memory is O(spheres).
+/// The number of a list is a sum over the axes, modulo 2^32, or the first bits of it. Cost: O(1).
 class CellTable {
  public:
   CellTable() = default;
@@ -36,7 +36,7 @@ class CellTable {
   bool is_shared() const { return has_elsewhere_ || is_spread(); }
   /// Whether any cells may share one. Otherwise the number of a list is the sum itself.
   bool is_spread() const { return shift_ > 0; }
-  /// Whether a cell or one at most so many rows away along each axis may share a list.
+  /// Whether a cell, or one at most `rows` rows away along each axis, may share a list.
   bool is_shared_within(std::uint32_t rows, const CellIndex& cell) const {
     if (!has_elsewhere_) return is_shared();
     bool is_near = false;

@@ -14,9 +14,9 @@ namespace hardball {
 /// cells.
 ///
 /// If none of the others is larger than a cell, these are kept in blocks of cells, which is the fastest. So
-/// all that do not fit into cells are large if they are few; otherwise only those so large that crossing from
-/// row to row would cost more than changing all cells at their surfaces.
-/// Source: docs/decisions/0012-large-spheres-as-shells-of-cells.md.
+/// all that do not fit into cells are large if they are few; otherwise only those that are so large that
+/// crossing from row to row would cost more than changing all cells at their surfaces. Source:
+/// docs/decisions/0012-large-spheres-as-shells-of-cells.md.
 struct LargeSizes {
   /// The largest radius of a sphere that touches at most two cells along each axis, in edges of a cell.
   static constexpr double kLargestInCell = 0.4999;
@@ -29,7 +29,7 @@ struct LargeSizes {
   static double cells_of_surface(double radius, std::size_t dimensions);
 
   /// The largest radius that is not large, in edges, if the surfaces of all spheres that do not fit into
-  /// cells touch so many cells.
+  /// cells touch this many cells.
   static constexpr double largest_in_edges(double surfaces, double spheres) {
     constexpr double kFewSurfaces = 0.5;  // for each sphere; measured
     return surfaces <= kFewSurfaces * spheres ? kLargestInCell : kLargestInRows;

@@ -50,8 +50,8 @@ struct CellRange {
   }
 };
 
-/// Cells along an axis: so many, from the first on. In a periodic box they may begin before the first one of
-/// the box, or pass the last one; their middle is inside.
+/// Consecutive cells along an axis, from the first on. In a periodic box they may begin before the first one
+/// of the box, or pass the last one; their middle is inside.
 struct CellSpan {
   std::int32_t first = 0;
   std::int32_t count = 0;

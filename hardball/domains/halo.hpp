@@ -14,7 +14,7 @@ struct Halo {
   double farthest() const { return depth - contact; }
   /// Beyond this distance from the block, nothing is held [L].
   double outer() const { return depth + slack; }
-  /// Blocks so near each other may concern one another [L].
+  /// The distance within which blocks may concern one another [L].
   double neighborhood() const { return 2 * depth; }
 };
 

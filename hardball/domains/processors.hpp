@@ -18,12 +18,13 @@ std::vector<int> available_processors();
 std::vector<int> processors_of_thread(const std::vector<int>& available, std::size_t threads,
                                       std::size_t number);
 
-/// How many processors this process may use that nothing has kept busy in the last minute, as a quota that a
-/// container sets and the load of the machine say; at least one.
+/// The number of idle processors that this process may use, from the one-minute load average and the quota of
+/// a container; at least one.
 std::size_t free_processors();
 
-/// How many processors a quota of Linux allows, as written in its file cpu.max: microseconds in each period
-/// of so many, or "max". At least one; as many as there are if there is no quota, or the text is none.
+/// The number of processors that a quota of Linux allows, from the text of its file cpu.max: microseconds in
+/// each period and the length of the period, or "max". At least one; all processors if there is no quota, or
+/// the text is not one.
 std::size_t processors_by_quota(std::string_view text, std::size_t processors);
 
 }  // namespace hardball

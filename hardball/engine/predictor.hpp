@@ -217,7 +217,7 @@ class Predictor {
             candidates.slots()[BoundKeys::index(keys.first)]};
   }
 
-  // The same for a sphere too fast to be bounded, and for many candidates.
+  // The bounded contacts of a sphere that is too fast to be bounded, or has many candidates.
   BoundedContacts bound_with_care(const CompactPaths& copies, const Candidates& candidates,
                                   const Time& now) const;
 

@@ -12,8 +12,8 @@
 
 namespace hardball {
 
-/// Where a center is at some moment, and how fast it moves; or one in each lane of the
-/// numbers (number.hpp).
+/// The position and velocity of a center at some moment, or of one center in each lane of the numbers
+/// (number.hpp).
 template <class Number>
 struct StateOf {
   VectorOf<Number> position;  ///< [L]

@@ -76,7 +76,8 @@ class HARDBALL_EXPORT GrowthSchedule {
                std::optional<double> compressibility = {});
   /// When the epoch ends [T]; infinity when growth is over.
   double next() const { return end_; }
-  /// After so many more contacts, far beyond those expected, spheres jam within the epoch: it must be ended.
+  /// The number of further contacts, far more than expected, after which spheres jam within the epoch: it
+  /// must be ended.
   std::uint64_t contacts_left(const Tally& tally, std::size_t spheres) const;
   /// Ends the epoch with the contacts that round to the same double as `moment`, if it lasts longer.
   void end_by(const Time& moment) {

@@ -92,7 +92,7 @@ struct Contact {
   bool is_collision() const { return kind == EventKind::collision; }
   /// Unit vector along `separation`, or toward the wall [1].
   Vec3 normal() const { return is_collision() ? (1 / length(separation)) * separation : wall_normal; }
-  /// Where the surfaces touch, in the coordinates of `position` [L].
+  /// The point at which the surfaces touch, in the coordinates of `position` [L].
   Vec3 point() const { return position + first_radius * normal(); }
   /// The momentum the first sphere gained [M L/T]; the second lost as much. Zero between kinematic spheres.
   Vec3 impulse() const {

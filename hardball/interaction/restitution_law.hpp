@@ -22,8 +22,8 @@ struct ConstantRestitution {
 /// 1 - 1.15344 b u^(1/5) at first. Source: Mueller and Poeschel, Phys. Rev. E 84 (2011) 021302.
 class HARDBALL_EXPORT ViscoelasticRestitution {
  public:
-  /// With the coefficient `value` [1] at the impact speed `speed` [L/T]. Error: `value` is not between 0 and
-  /// 1, or too small to be reached; `speed` is not positive.
+  /// A law with the coefficient `value` [1] at the impact speed `speed` [L/T]. Error: `value` is not between
+  /// 0 and 1, or too small to be reached; `speed` is not positive.
   ViscoelasticRestitution(double value, double speed);
 
   /// At an impact speed [L/T].

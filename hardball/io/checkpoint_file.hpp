@@ -21,7 +21,7 @@ struct CheckpointSection {
   std::string bytes;
 };
 
-/// What a checkpoint tells of a section before all sections.
+/// The entry of a section in the directory at the start of a checkpoint.
 struct SectionEntry {
   std::string name;
   std::uint32_t method = 0;    ///< How it is compressed.

@@ -32,9 +32,9 @@ struct HARDBALL_EXPORT NpyHeader {
   const NpyField* find(std::string_view name) const;
 };
 
-/// Reads the header of a NumPy file. Error: it cannot be read; it is none; its items are not little-endian
-/// numbers, or rows of them; it is shorter than it says. Source: NumPy enhancement proposal 1, format
-/// versions 1 to 3.
+/// Reads the header of a NumPy file. Error: it cannot be read; it is not a NumPy file; its items are not
+/// little-endian numbers, or rows of them; it is shorter than it says. Source: NumPy enhancement proposal 1,
+/// format versions 1 to 3.
 HARDBALL_EXPORT NpyHeader read_npy_header(const std::filesystem::path& path);
 
 }  // namespace hardball

@@ -11,7 +11,7 @@
 
 namespace hardball {
 
-/// How far the largest of so many deviations from the truth may lie by chance in one run of a hundred
+/// How far the largest of `compared` deviations from the truth may lie by chance in one run of a hundred
 /// [standard errors]. Errors are from at least eight independent parts: Student's distribution with seven
 /// degrees of freedom, and as many comparisons as there are (Bonferroni). Source: Abramowitz and Stegun,
 /// Handbook of Mathematical Functions, 26.7.3; Miller, Simultaneous Statistical Inference, section 1.

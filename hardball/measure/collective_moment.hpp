@@ -28,7 +28,7 @@ class CollectiveMoment {
   /// At which the components change at present.
   Sums rates{};
 
-  /// Goes on to `now`, with these rates. Cost: O(1), and O(components) for each increment that ends.
+  /// Advances to `now`, with these rates. Cost: O(1), and O(components) for each increment that ends.
   void advance(const Time& now) {
     for (Time end = next_end(); !(now < end); end = next_end()) {
       carry(duration(last_, end));

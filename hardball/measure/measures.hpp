@@ -78,7 +78,7 @@ class HARDBALL_EXPORT Measures {
   static void persist_parts(auto& archive, auto& self);
   bool restored() const;
 
-  struct Entries;  // a measure of each kind, and what tells whether they have settled
+  struct Entries;  // a measure of each kind, and what decides whether they have settled
 
   MeasureSettings settings_;
   bool is_any_wanted_ = false;

@@ -22,7 +22,7 @@ struct PackingContact {
   double force = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What holds a packing: who touches whom, and who rattles.
+/// The network of contacts that holds a packing, and its rattlers.
 struct ContactNetwork {
   /// Gaps up to this count as contacts, over the sum of the radii [1]; zero where spheres are too far apart
   /// for contacts to mean anything.

@@ -75,12 +75,12 @@ class HARDBALL_EXPORT Packer {
   /// The share of the run that is done, by what was expected [1].
   double share_done() const;
 
-  /// The whole state, from which `load` goes on to the same history. Cost: O(n).
+  /// The whole state, from which `load` continues to the same history. Cost: O(n).
   std::string save() const;
   /// Error: the bytes are not from `save`.
   static Packer load(std::string_view bytes, const std::string& where);
 
-  /// Lets so many threads share the work; affects only the speed.
+  /// Lets `threads` threads share the work; affects only the speed.
   void set_threads(std::size_t threads) { simulation_.set_threads(threads); }
 
  private:

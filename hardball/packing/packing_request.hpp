@@ -37,13 +37,13 @@ struct PackingRequest {
   std::optional<double> diameter = {};
   /// How radii are distributed about their mean; equal if not given. A mean of 1 will do.
   std::optional<RadiusDistribution> distribution = {};
-  std::vector<double> radii = {};           ///< Instead, each one [L].
+  std::vector<double> radii = {};           ///< Listed radii, instead [L].
   std::optional<Container> container = {};  ///< A periodic cube if not given.
   bool is_container_size_free = false;      ///< Edges of the container are only proportions.
   std::optional<Goal> goal = {};
   /// How fast spheres grow, in the unit of GrowthRules::rate; chosen by the goal if not given.
   std::optional<double> rate = {};
-  /// By which fraction radii are reduced in the end, beyond what rounding takes [1]. Count, diameter,
+  /// The fraction by which radii are reduced in the end, beyond what rounding takes [1]. Count, diameter,
   /// container and packing fraction are those of the reduced spheres.
   double gap = 0;
   std::uint64_t seed = 1;  ///< Seed of sizes, positions and velocities.

@@ -37,7 +37,7 @@ inline constexpr double kApproach = 400;
 inline constexpr double kExact = 1e-8;
 /// How often the rate is halved when spheres have locked.
 inline constexpr int kAttempts = 3;
-/// Lower rates are for those who ask for them.
+/// The least rate that is chosen automatically.
 inline constexpr double kSlowest = 1e-3;
 
 }  // namespace hardball::protocol

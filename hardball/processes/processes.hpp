@@ -12,7 +12,7 @@
 
 namespace hardball {
 
-/// Processes that run one system together, each with a part of it: perhaps on several machines.
+/// The processes that share one simulation, each with a part of it, perhaps on several machines.
 ///
 /// All of them call the same functions in the same order; a function returns in each when it has heard from
 /// those that it needs.
@@ -56,7 +56,7 @@ class HARDBALL_EXPORT Processes {
   std::vector<std::size_t> others() const;
 };
 
-/// One process alone, which hears of nobody.
+/// A single process.
 HARDBALL_EXPORT Processes& one_process();
 
 }  // namespace hardball

@@ -28,7 +28,7 @@ struct NextContact {
   friend bool operator==(const NextContact&, const NextContact&) = default;
 };
 
-/// Where a ray ends.
+/// What a ray hits, and where.
 struct RayHit {
   EventKind kind = EventKind::collision;  ///< What is hit: a sphere (collision) or a wall.
   std::uint32_t body = 0;                 ///< The id of the sphere, or the number of the wall.

@@ -46,9 +46,9 @@ class HARDBALL_EXPORT RecordingWriter {
   /// included. Error (RunFailure): as for note.
   std::string save();
 
-  /// `world`: after the contact or change. Precondition: all contacts and changes are noted, in order; no
-  /// sphere is added or removed but by a merger, which needs bodies. Error (RunFailure): the file cannot be
-  /// written.
+  /// Records a contact or a change. `world`: after it. Precondition: all contacts and changes are recorded,
+  /// in order; no sphere is added or removed but by a merger, which needs bodies. Error (RunFailure): the
+  /// file cannot be written.
   void note(const Contact& contact, const World& world);
   /// Records a contact in which no spheres merge. Error (RunFailure): the file cannot be written.
   void note(const Contact& contact);
@@ -69,8 +69,8 @@ class HARDBALL_EXPORT RecordingWriter {
   /// nothing if it is closed. Error (RunFailure): as for note.
   void close(double time);
 
-  /// Closes the file, if it is open and anything was called, at the last contact noted, as far as possible;
-  /// errors are ignored.
+  /// Closes the file, if it is open and anything was called, at the last contact recorded, as far as
+  /// possible; errors are ignored.
   ~RecordingWriter();
   RecordingWriter(RecordingWriter&&) noexcept = default;
 
@@ -91,7 +91,7 @@ class HARDBALL_EXPORT RecordingWriter {
     bool has_chunks = false;
     double begin = 0;                       // of the open chunk
     std::vector<RecordedPath> keyframe;     // of the open chunk
-    std::vector<RecordedBody> bodies;       // likewise, if the layout has them
+    std::vector<RecordedBody> bodies;       // of the open chunk, if the layout has bodies
     std::vector<RecordedContact> contacts;  // of the open chunk, so far
     RecordedEpoch epoch;                    // at the begin of the open chunk
 

@@ -120,7 +120,8 @@ struct PairDescription {
 
 /// A potential of steps: a table [[potentials]] of a scenario.
 struct PotentialDescription {
-  std::optional<std::pair<SpeciesId, SpeciesId>> between;  ///< None for all that no other names.
+  /// The species; none for all pairs that no other potential names.
+  std::optional<std::pair<SpeciesId, SpeciesId>> between;
   StepRules rules;
 };
 

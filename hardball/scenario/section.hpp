@@ -60,7 +60,7 @@ class Section {
  public:
   /// The scenario as a whole.
   explicit Section(const Document& document);
-  /// The table that `node` is, the value of `key`. Error: it is none; an unknown key.
+  /// The table that `node` is, the value of `key`. Error: it is not a table; an unknown key.
   Section(const Document& document, const Node& node, const KeyDescription& key);
 
   std::string location() const { return document_->text_of(node_->location); }

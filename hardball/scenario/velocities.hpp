@@ -54,7 +54,7 @@ class DrawnVelocities {
   bool are_kept_;
 };
 
-/// All of them, drawn once.
+/// Draws the velocities of all groups.
 std::vector<Vec3> draw_velocities(std::span<const SphereGroup> groups, bool without_drift, Random& random);
 
 }  // namespace hardball

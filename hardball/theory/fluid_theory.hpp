@@ -43,7 +43,7 @@ class FluidTheory {
   FluidTheory(const World& world, const SpeciesList& species);
 
   bool holds() const { return holds_; }
-  /// Whether all spheres pass through each other, so that nothing brings them to equilibrium.
+  /// Whether all spheres pass through each other, and so never reach equilibrium.
   bool is_ideal() const { return is_ideal_; }
   /// By which fraction Z - 1, contact values and collision rates may be off [1]: what the equations of state
   /// leave open, and in dense systems of few spheres what the periodic images do.

@@ -42,7 +42,7 @@ struct HARDBALL_EXPORT GasStatistics {
 };
 
 /// Sums over spheres, of which these averages are made: the same to the bit in whichever order spheres are
-/// noted, and however they are divided among several such sums.
+/// added, and however they are divided among several such sums.
 struct HARDBALL_EXPORT GasSums {
   std::size_t spheres = 0;
   std::array<ExactSum, 6> radius_power;  ///< [L^k]
@@ -61,7 +61,7 @@ struct HARDBALL_EXPORT GasSums {
 /// Cost: O(n).
 HARDBALL_EXPORT GasStatistics gas_statistics(const World& world, const Time& moment);
 
-/// Whether the sums tell all, and it does not matter where the spheres of a world are.
+/// Whether the sums suffice, so that it does not matter where the spheres of a world are.
 HARDBALL_EXPORT bool fills_box(const World& world);
 /// Statistics from sums over the spheres of a world, of which only the box is used. Precondition:
 /// fills_box(world).

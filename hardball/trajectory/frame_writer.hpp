@@ -46,8 +46,8 @@ class HARDBALL_EXPORT FrameWriter {
   /// Appends frame number `frame`, whose spheres come in parts. Error: the format needs all spheres at once.
   /// Error (RunFailure): it cannot be written.
   virtual void append(const FrameParts& parts, std::uint64_t frame);
-  /// Completes what tells readers of the frames, where that is not done with every frame. Error (RunFailure):
-  /// it cannot be written.
+  /// Completes what readers need to find the frames, where that is not done with every frame. Error
+  /// (RunFailure): it cannot be written.
   virtual void flush() {}
   /// Waits until all frames are on the disk, flushes, and returns how to continue from here. Error
   /// (RunFailure): as for flush.

@@ -50,7 +50,7 @@ struct Header {
   std::uint64_t names_length = 0;  ///< In units of kNameBytes.
 };
 
-/// Where a chunk is: a matrix of numbers.
+/// The place of a chunk, which is a matrix of numbers.
 struct Entry {
   static constexpr std::size_t kBytes = 32;
 

@@ -13,7 +13,7 @@ struct CellAxis {
   double edge = 0;         ///< Edge of a cell [L].
   double room = 0;         ///< The length accessible to centers [L].
   double crossings = 0;    ///< Cell faces that a sphere's front crosses per length along the axis [1/L].
-  bool is_divided = true;  ///< There are such faces.
+  bool is_divided = true;  ///< There are faces of cells along the axis.
   bool has_nearest_images = true;  ///< Spheres that share a cell are nearest images of each other.
   double rows = 1;  ///< Rows of cells that a sphere touches, relative to the number far from walls [1].
   double rows_at_wall = 1;  ///< Rows for spheres that touch one of the walls [1].

@@ -39,7 +39,7 @@ class CellEdgeWatch {
 
   /// Starts over with cells of this edge [L].
   void restart(double edge);
-  /// That edge [L].
+  /// The edge of the cells in use [L].
   double edge() const { return edge_; }
 
   /// The new edge [L] if cells should be rebuilt, `elapsed` [T] after the last call. It anticipates the best

@@ -16,7 +16,7 @@ namespace hardball {
 /// A part of the box: an interval along the axes that are divided, and all of it along the others.
 class Block {
  public:
-  /// All of the box.
+  /// A block that is the whole box.
   explicit Block(const Box& box) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       period_[axis] = box.is_periodic(axis) ? box.size()[axis] : 0;
@@ -57,7 +57,7 @@ class Block {
     return largest;
   }
 
-  /// The block and what is so near it [L], all of the box along axes that are not divided.
+  /// The block and everything within this distance of it [L]; the whole box along axes that are not divided.
   Extent surroundings(double depth) const {
     Extent extent;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

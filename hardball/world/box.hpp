@@ -23,7 +23,7 @@ namespace hardball {
 enum class Boundary {
   wall,      ///< Hard faces at 0 and at the size.
   periodic,  ///< Spheres that leave at one end enter at the other.
-  open,      ///< Nothing: space is unbounded.
+  open,      ///< Space is unbounded.
   flat,      ///< The axis does not exist, and everything lies at 0: z in two dimensions.
 };
 

@@ -47,7 +47,7 @@ class Journal {
   };
   struct Change {
     Time time;      ///< Time of the change [T].
-    Slot slot = 0;  ///< Where the sphere is stored, or was.
+    Slot slot = 0;  ///< The slot of the sphere at the time of the change.
     Kind kind = Kind::path;
   };
 

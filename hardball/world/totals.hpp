@@ -10,7 +10,7 @@
 
 namespace hardball {
 
-/// Sums over spheres, the same to the bit in whichever order they are noted, and however they are divided
+/// Sums over spheres, the same to the bit in whichever order they are added, and however they are divided
 /// among several such sums. See World for what the sums are.
 struct Totals {
   ExactSum kinetic_energy;               ///< [M L^2 T^-2]

@@ -422,7 +422,7 @@ double energy(const World& world, Slot slot, const Time& moment) {
 }
 
 Time sheared_contact_time(const World& world, Slot a, Slot b, const Image& image) {
-  // The same bits, at less cost.
+  // This returns the same bits at less cost.
   if (image[1] == 0) {
     return contact_time(world.motion(), world.path(a), world.path(b), world.box().shift(image),
                         world.base_radius(a) + world.base_radius(b));

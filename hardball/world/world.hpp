@@ -119,13 +119,13 @@ class HARDBALL_EXPORT World : CompilationCheck {
   Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
 
   /// Begins an epoch of growth, in which all radii are the base radii times a scale (geometry/growth.hpp).
-  /// Whoever has made structures for the spheres must rebuild them. Error: a number that is not finite, or a
+  /// Structures that were made for the spheres must be rebuilt. Error: a number that is not finite, or a
   /// scale that is not positive throughout; spheres that do not fit the box or a surface at its largest
   /// scale; anything that growth excludes: gravity, kinematic spheres, spins, rough spheres, species that
   /// merge or pass through each other, walls that move or have a temperature.
   void set_growth(const Growth& growth);
-  /// Ends growth: the radii at `moment` are the base radii from now on, and all paths begin anew. Whoever has
-  /// made structures must rebuild them. Precondition: there is no journal.
+  /// Ends growth: the radii at `moment` are the base radii from now on, and all paths begin anew. Structures
+  /// that were made for the spheres must be rebuilt. Precondition: there is no journal.
   void end_growth(const Time& moment);
 
   /// How much larger spheres may be expected to become by merging [1]: if some have grown, others may, too,
@@ -169,7 +169,8 @@ class HARDBALL_EXPORT World : CompilationCheck {
   }
   const PerSphere& base_radii() const { return radii_; }
   const Path& path(Slot slot) const { return paths_[slot]; }
-  /// Where the path leads at `moment`, perhaps out of a periodic box [L]. Precondition: `moment` is finite.
+  /// The position on the path at `moment`, perhaps outside of a periodic box [L]. Precondition: `moment` is
+  /// finite.
   Vec3 unfolded_position(Slot slot, const Time& moment) const {
     return motion_.position_at(paths_[slot], moment);
   }
@@ -211,14 +212,14 @@ class HARDBALL_EXPORT World : CompilationCheck {
   /// Whether a sphere has this id. Cost: O(log n).
   bool contains(SphereId id) const { return find(id).has_value(); }
 
-  /// Where the sphere with this id is stored; nothing if there is none. Cost: O(log n), O(1) if it is `hint`.
+  /// The slot of the sphere with this id; nothing if there is none. Cost: O(log n), O(1) if it is `hint`.
   std::optional<Slot> find(SphereId id, Slot hint) const;
   std::optional<Slot> find(SphereId id) const { return find(id, id); }
 
-  /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
+  /// The slot of the sphere with this id. Cost: O(log n). Error: no sphere has this id.
   Slot slot_of(SphereId id) const;
 
-  /// Where the sphere is stored that has `rank` lower ids before it. Precondition: `rank` is less than
+  /// The slot of the sphere that has `rank` lower ids before it. Precondition: `rank` is less than
   /// size().
   Slot slot_of_rank(std::size_t rank) const { return order_[rank]; }
 
@@ -400,8 +401,8 @@ inline Image nearest_image(const World& world, Slot a, Slot b, const Time& momen
                                    moment);
 }
 
-/// Where `image` of `b` is as seen from `a`, and how fast it moves, at `moment`. Exchanging the spheres and
-/// negating the image negates the result exactly.
+/// The relative position and velocity of `image` of `b` as seen from `a` at `moment`. Exchanging the spheres
+/// and negating the image negates the result exactly.
 inline State relative_state(const World& world, Slot a, Slot b, const Image& image, const Time& moment) {
   State relative = relative_state_at(world.motion(), world.path(a), world.path(b),
                                      world.box().shift(image, moment), moment);

@@ -13,7 +13,7 @@
 
 #include "hardball/geometry/vec3.hpp"
 
-/// Between what Python has, numbers and arrays of any kind, and what the library takes.
+/// Conversions between the numbers and arrays of Python and the types of the library.
 namespace hardball::python {
 
 /// An array of doubles in the order of C. Error: it is not made of real numbers.
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> counts_of(const pybind11::handle& object, const std::
 /// A new array.
 pybind11::array_t<double> array_of(const Vec3& vector);
 
-/// An array that nobody can write to.
+/// A read-only array.
 template <class Array>
 Array read_only(Array array) {
   array.attr("setflags")(pybind11::arg("write") = false);
