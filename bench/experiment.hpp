@@ -11,8 +11,8 @@
 
 namespace hardball::bench {
 
-inline constexpr double kRadius = 1.5;   ///< Of the spheres [L].
-inline constexpr double kBoxEdge = 200;  ///< Of the paper's box [L].
+inline constexpr double kRadius = 1.5;   ///< Radius of the spheres [L].
+inline constexpr double kBoxEdge = 200;  ///< Edge of the paper's box [L].
 /// If the box grows with the number of spheres, they are as dense as this many in the paper's box.
 inline constexpr std::size_t kSpheresAtFixedDensity = 10'000;
 inline constexpr double kSpread = 10;  ///< Standard deviation of each component of the velocities [L/T].
@@ -23,7 +23,7 @@ inline constexpr double kFreezing = 0.494;
 /// More spheres start from a face-centered cubic lattice, and take longer to equilibrate.
 inline constexpr std::size_t kMaxPlacedAtRandom = 50'000;
 inline constexpr int kCollisionsToSettle = 10;  ///< Mean collisions per sphere before measuring.
-/// The same from a lattice, which below freezing has melted after nine.
+/// Mean collisions per sphere before measuring, from a lattice, which below freezing has melted after nine.
 inline constexpr int kCollisionsToMelt = 15;
 
 /// A time step, by how far a sphere of mean speed moves in it.
@@ -53,10 +53,11 @@ struct Plan {
   std::vector<std::size_t> spheres;                   ///< In the paper's box.
   std::vector<std::size_t> spheres_at_fixed_density;  ///< In boxes that grow with n.
   int repetitions = 3;
-  double seconds = 0.8;       ///< Aimed at for one measurement of the cell grid.
-  double slow_seconds = 0.8;  ///< The same for all pairs and time steps, unless a single step takes longer.
+  double seconds = 0.8;  ///< Aimed at for one measurement of the cell grid.
+  /// Aimed at for one measurement of all pairs or time steps, unless a single step takes longer.
+  double slow_seconds = 0.8;
   std::size_t most_all_pairs = 0;  ///< The largest number of spheres for all pairs.
-  std::size_t most_stepped = 0;    ///< The same for time steps.
+  std::size_t most_stepped = 0;    ///< The largest number of spheres for time steps.
   std::size_t trial_spheres = 0;   ///< For counting the collisions that the time-stepped simulation finds.
   double trial_span = 0;           ///< [T]
 };
@@ -73,7 +74,7 @@ struct Row {
   std::string method;  ///< cells, paper, all_pairs or time_stepped
   std::size_t spheres = 0;
   double box_edge = kBoxEdge;  ///< [L]
-  double step_radii = kNone;   ///< Of time_stepped: see StepSize [1].
+  double step_radii = kNone;   ///< Step of time_stepped, see StepSize [1].
   double step = kNone;         ///< [T]
   double seconds = kNone;      ///< Per unit of simulated time, the median of the repetitions.
   double seconds_minimum = kNone;
@@ -84,10 +85,10 @@ struct Row {
   double walls = kNone;
   double enters = kNone;
   double leaves = kNone;
-  double missed_share = kNone;  ///< Of time_stepped: of all collisions [1].
+  double missed_share = kNone;  ///< Share of all collisions that time_stepped misses [1].
   std::string note = {};
 
-  double packing_fraction() const;                                        ///< Of the spheres in the box [1].
+  double packing_fraction() const;  ///< Packing fraction of the spheres in the box [1].
   double events() const { return collisions + walls + enters + leaves; }  ///< Per unit of time.
   double seconds_per_event() const { return seconds / events(); }
   double seconds_per_collision() const { return seconds / collisions; }
@@ -97,7 +98,7 @@ struct Row {
 struct StepRow {
   StepSize step;
   std::uint64_t contacts = 0;  ///< Collisions of the exact engine examined.
-  std::uint64_t missed = 0;    ///< Of these, those during which there is no check.
+  std::uint64_t missed = 0;    ///< Contacts during which there is no check.
   double expected_share = 0;   ///< Missed, by kinetic theory [1].
   // The time-stepped simulation itself, where it was run:
   std::size_t spheres = 0;

@@ -262,7 +262,7 @@ def spread(values: Sequence[float]) -> float:
 
 
 def median_per_collision(measurement: Measurement, key: str) -> float | None:
-    """None if unknown for a round."""
+    """The median over the rounds; None if unknown for a round."""
     values = [number_in(each, key) for each in measurement.slices]
     if not values or None in values:
         return None
@@ -270,7 +270,7 @@ def median_per_collision(measurement: Measurement, key: str) -> float | None:
 
 
 def count_per_collision(measurement: Measurement, counter: str) -> float | None:
-    """Of all rounds together, since rare events happen in few of them; None if unknown for a round."""
+    """The count over all rounds together, since rare events happen in few of them; None if unknown for a round."""
     values = [number_in(each.get("counters"), counter) for each in measurement.slices]
     if not values or None in values:
         return None

@@ -10,7 +10,7 @@ namespace hardball::bench {
 /// A fit y = factor * x^exponent.
 struct PowerLaw {
   double exponent = 0;
-  double standard_error = 0;  ///< Of the exponent; NaN for fewer than three points.
+  double standard_error = 0;  ///< Standard error of the exponent; NaN for fewer than three points.
   double factor = 0;
   std::size_t points = 0;
 };

@@ -20,7 +20,7 @@ void overwrite(std::string& bytes, std::size_t at, std::uint64_t number) {
   bytes.replace(at, text.size(), text);
 }
 
-// The same with true checksums, as far as the table of sections goes: a fuzzer would never guess one.
+// The bytes with true checksums, as far as the table of sections goes: a fuzzer would never guess one.
 std::string with_checksums(std::string_view bytes) {
   constexpr std::size_t kBegin = 12;
   constexpr std::size_t kBehindName = 28;  // method, two lengths, checksum

@@ -56,7 +56,7 @@ inline void change(Simulation& simulation, Choices& choices) {
   simulation.change_velocity(sphere, choices.between(0.01, 100) * simulation.velocity(sphere));
 }
 
-/// What is told of a contact, and what the world says then, if it is asked.
+/// The record of a contact, and of the world then, if it is queried.
 struct Told {
   Time time;
   SphereId first = 0;
@@ -67,8 +67,8 @@ struct Told {
   friend bool operator==(const Told&, const Told&) = default;
 };
 
-/// Runs in pieces, with changes between them, and returns what is told of contacts: to a log, to a listener,
-/// or nothing if there is neither.
+/// Runs in pieces, with changes between them, and returns the contacts that a log or a listener has received;
+/// nothing if there is neither.
 inline std::vector<Told> run_pieces(Simulation& simulation, double until, Choices choices) {
   constexpr std::size_t kPieces = 4;
   std::vector<Told> told;

@@ -26,7 +26,7 @@ inline void read_frames(SnapshotReader& reader) {
   run_a_little(simulation);
 }
 
-/// The same of a text.
+/// Reads all frames of a text, and runs a simulation from the last one.
 inline void read_frames(std::string_view bytes, const TextFormat& format) {
   const auto open = [bytes] { return std::make_unique<std::istringstream>(std::string(bytes)); };
   TextSnapshotReader reader(open, "start", format);

@@ -26,8 +26,8 @@ inline void run_a_little(Simulation& simulation) {
   if (simulation.size() <= kMaxSpheres) simulation.run({.steps = 300});
 }
 
-/// The same for a simulation from a saved state, with all that reads the state of the measures. Such a state
-/// may be one that no run reaches: then it is enough that this is noticed.
+/// Runs a simulation from a saved state for a few steps, and calls everything that reads the state of the
+/// measures. If no run reaches that state, it is enough that an error says so.
 inline void run_saved(Simulation& simulation, Measures& measures) {
   if (simulation.size() > kMaxSpheres) return;
   try {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Packings on request: so many spheres of these sizes, at this density, that do not overlap.
+/// Packings on request: spheres of a given number, size and density that do not overlap.
 #include "hardball/packing/packing.hpp"
 #include "hardball/packing/request_text.hpp"
 #include "hardball/packing/wall_profile.hpp"

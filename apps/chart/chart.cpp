@@ -149,7 +149,7 @@ class Scale {
     return first_ + (transformed(value) - low_) / (high_ - low_) * (last_ - first_);
   }
 
-  // The same for any number: values beyond an end, or without a logarithm, are put at that end.
+  // The pixel of any number: values beyond an end, or without a logarithm, are put at that end.
   double pixel_within(double value) const {
     if (logarithmic_ && !(value > 0)) return first_;
     const auto [least, most] = std::minmax(first_, last_);

@@ -14,12 +14,12 @@ enum class ExitCode : int {
   bad_input = 2,  ///< The scenario or the command line is wrong.
 };
 
-/// Each executes a command. Error: bad input; RunFailure: the run failed.
+/// Each of the functions below executes a command. Error: bad input; RunFailure: the run failed.
 
 /// Several processes call it with the same options; only the first one writes messages, and files but for
 /// checkpoints. Error: in all processes.
 ExitCode run(const RunOptions& options, Processes& processes);
-/// Likewise for several processes.
+/// Resumes a run in several processes, which call it with the same options. Error: in all processes.
 ExitCode resume(const ResumeOptions& options, Processes& processes);
 ExitCode verify(const VerifyOptions& options);
 ExitCode check(const CheckOptions& options);

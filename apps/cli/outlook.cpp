@@ -141,7 +141,7 @@ double edge_of_sample(std::span<const SphereGroup> groups, std::size_t dimension
       kLeastDiameters * 2 * largest);
 }
 
-// The engine that so many spheres would get, where the sample alone might get another.
+// The engine that all spheres would get; the sample alone might get another.
 std::string engine_for(const EngineChoice& choice, const GasStatistics& statistics) {
   if (choice.engine != "auto" || choice.cell_edge != "auto" || are_sizes_spread(statistics))
     return choice.engine;

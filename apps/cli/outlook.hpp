@@ -15,10 +15,10 @@ namespace hardball::cli {
 /// The start of a scenario, as far as it can be known in seconds.
 struct Outlook {
   EngineOptions options;
-  Simulation simulation;                ///< Of the scenario, or of a sample.
-  GasStatistics statistics;             ///< Of all spheres.
+  Simulation simulation;                ///< A simulation of the scenario, or of a sample of its spheres.
+  GasStatistics statistics;             ///< Statistics of all spheres.
   bool is_sample = false;               ///< Whether the spheres were not placed.
-  std::vector<std::string> notes = {};  ///< What make_world has to say, where all spheres were placed.
+  std::vector<std::string> notes = {};  ///< Warnings of make_world, where all spheres were placed.
 };
 
 /// Sets up the simulation of a scenario; if it has more than a million spheres that are not listed one by one

@@ -216,7 +216,7 @@ ExitCode pack(const PackOptions& options) {
   write_output(options.output.json ? summary.json()
                                    : summary.table() + written_files(packing.spheres, options));
   if (!packer->is_over() && !options.outs.empty()) {
-    write_message("interrupted; go on with: hardball pack --resume " + checkpoint_of(options).string() +
+    write_message("interrupted; continue with: hardball pack --resume " + checkpoint_of(options).string() +
                   " --out " + options.outs.front());
   }
   return packing.status == Packing::Status::not_reached ? ExitCode::failed : ExitCode::done;

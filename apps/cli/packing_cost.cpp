@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostSpheres = 4000;
 
-// The same packing of fewer spheres.
+// A plan for the same packing with fewer spheres.
 PackingPlan sample_of(const PackingPlan& plan) {
   PackingPlan sample = plan;
   sample.start.clear();

@@ -9,7 +9,7 @@
 
 namespace hardball::cli {
 
-/// What `hardball pack` tells of a packing besides its files.
+/// What `hardball pack` prints about a packing besides its files.
 struct PackingSummary {
   const Packing& packing;
   double seconds = 0;
@@ -22,7 +22,7 @@ struct PackingSummary {
   std::string json() const;
 };
 
-/// What `hardball pack --dry-run` tells of a plan of which a collision takes so many seconds [T].
+/// What `hardball pack --dry-run` prints about a plan whose collisions take this long each [s].
 std::string plan_table(const PackingPlan& plan, double seconds_per_collision);
 std::string plan_json(const PackingPlan& plan, double seconds_per_collision);
 

@@ -28,7 +28,7 @@ class Progress {
   Clock::time_point begin_ = Clock::now();
 };
 
-/// The same for a packing.
+/// Shows the progress of a packing.
 class PackingProgress {
  public:
   explicit PackingProgress(bool wanted) : line_(wanted) {}
@@ -43,7 +43,7 @@ class PackingProgress {
   Clock::time_point begin_ = Clock::now();
 };
 
-/// The same for the set-up of a run.
+/// Shows the progress of the set-up of a run.
 class SetUpProgress {
  public:
   explicit SetUpProgress(bool wanted) : line_(wanted) {}
@@ -56,7 +56,7 @@ class SetUpProgress {
   StatusLine line_;
 };
 
-/// The same for work that ends when its time is spent.
+/// Shows the progress of work that ends when its time is spent.
 class Budget {
  public:
   /// Begins now. Precondition: `seconds` is positive.

@@ -21,7 +21,8 @@ std::vector<ResponseText> response_texts(const Scenario& scenario);
 /// How many spheres of each species of a scenario there are. Cost: O(n).
 std::vector<std::size_t> species_counts(const Scenario& scenario, const World& world);
 
-/// The same in words: "drop 120, mist 700"; empty if the scenario names none.
+/// The species of a scenario and their counts in words: "drop 120, mist 700"; empty if the scenario names
+/// none.
 std::string species_text(const Scenario& scenario, const std::vector<std::size_t>& counts);
 
 }  // namespace hardball::cli

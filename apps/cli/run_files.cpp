@@ -262,7 +262,7 @@ void RunFiles::finish(double time, std::span<const Measurement> measurements, co
     replace_file(folder / kQuantities, quantities_csv(measurements));
   }
   if (!report.empty()) replace_file(directory_ / kReport, report);
-  // Last: it tells that the run has come to its end, see is_finished.
+  // Last, because it marks the end of the run; see is_finished.
   replace_file(directory_ / kSummary, summary);
 }
 

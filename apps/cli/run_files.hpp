@@ -79,8 +79,8 @@ class RunFiles {
   /// Appends a frame at the current time to the trajectories, if there are any. Error (RunFailure): it cannot
   /// be written.
   void write_snapshot(const Simulation& simulation, double time);
-  /// The same in one of the trajectories, which are in the order of SnapshotFormat; also for spheres that
-  /// come in parts.
+  /// Appends a frame to one of the trajectories, which are in the order of SnapshotFormat; the spheres may
+  /// come in parts. Error (RunFailure): it cannot be written.
   void write_snapshot(std::size_t trajectory, const Snapshot& snapshot);
   void write_snapshot(std::size_t trajectory, const FrameParts& frame);
   /// What appends the contacts and changes of a simulation to the event log and the recording; empty if there

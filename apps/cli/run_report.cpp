@@ -174,7 +174,7 @@ report::CostCurve choice(const Simulation& simulation, const GasStatistics& stat
   return {};
 }
 
-// Tells measured species of one name apart.
+// Distinguishes measured species that have one name.
 void make_names_unique(std::vector<report::SpeciesReport>& species) {
   const std::vector<report::SpeciesReport> before = species;
   for (report::SpeciesReport& each : species) {

@@ -6,8 +6,8 @@
 
 namespace hardball::cli {
 
-/// Appends a frame of a run as it is to its trajectories, with this time [T], if it has any. Where several
-/// processes share the run and nobody has asked for the world, spheres come block by block to the first of
+/// Appends the present frame of a run to its trajectories, with this time [T], if it has any. Where several
+/// processes share the run and none has requested the world, spheres come block by block to the first of
 /// them, which never holds all, if all formats allow that. Error (RunFailure), in all processes: it cannot be
 /// written.
 void write_snapshot(StartedRun& run, double time);

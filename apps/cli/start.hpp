@@ -18,7 +18,7 @@ namespace hardball::cli {
 /// that is not a number or out of range; neither scenario nor command line gives `until`.
 Scenario read_scenario(const ScenarioChoice& choice);
 
-/// A scenario with the changes that `choice` makes by --until and --seed. Error: likewise.
+/// A scenario with the changes that `choice` makes by --until and --seed. Error: as for read_scenario.
 Scenario changed_by(const ScenarioChoice& choice, Scenario scenario);
 
 /// The scenario of several processes, which each of them reads by itself: perhaps from the disk of another
@@ -32,11 +32,12 @@ Scenario read_shared_scenario(const ScenarioChoice& choice, Processes& processes
 EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& scenario, const World& start,
                                   Processes& processes = one_process());
 
-/// As make_simulation, with errors in options located on the command line.
+/// Makes a simulation like make_simulation, with errors in options located on the command line.
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
                             const OnProgress& on_progress = {}, Processes& processes = one_process());
 
-/// The number of threads that --threads gives as a text, zero for as many as pay. Error: it is none.
+/// The number of threads that --threads gives as a text, zero for as many as pay. Error: it is not a number
+/// of threads.
 std::size_t read_threads(const std::string& threads);
 
 /// A simulation and how it is run.
@@ -46,7 +47,8 @@ struct Start {
   std::vector<std::string> notes;  ///< What make_world has to say about the scenario, a sentence each.
 };
 
-/// Throws an error in an option of the engine as one in that of the command line, and others as they are.
+/// Rethrows an error in an option of the engine as one in the option of the command line, and other errors
+/// unchanged.
 [[noreturn]] void throw_as_of_command_line(const Error& error);
 
 /// The simulation of a scenario at its start, of which several processes make a part each, with progress

@@ -21,15 +21,15 @@ namespace hardball::cli {
 /// A run between its start, or a checkpoint, and its end. Several processes may carry it out together, each
 /// with a StartedRun of its own, of which only that of the first has files.
 struct StartedRun {
-  ScenarioChoice choice;  ///< With which it was started.
+  ScenarioChoice choice;  ///< How the run was started.
   OutputStyle output;
   Scenario scenario;
   Simulation simulation;
   Measures measures;
-  std::optional<std::filesystem::path> directory;  ///< Of the files, if the run has any.
+  std::optional<std::filesystem::path> directory;  ///< The directory of the files, if the run has any.
   std::optional<RunFiles> files;
-  std::uint64_t next_snapshot = 0;  ///< Its number, see SnapshotSchedule.
-  Seconds seconds;                  ///< That it has taken so far.
+  std::uint64_t next_snapshot = 0;  ///< The number of the next snapshot; see SnapshotSchedule.
+  Seconds seconds;                  ///< Wall time spent so far.
   std::vector<std::string> notes;   ///< See Start.
 
   Processes& processes() const { return simulation.processes(); }
@@ -38,11 +38,11 @@ struct StartedRun {
 /// What the section "run" of a checkpoint holds.
 struct RunState {
   ScenarioChoice choice;
-  std::string text;  ///< Of the scenario.
-  std::string name;  ///< Likewise.
+  std::string text;  ///< Contents of the scenario file.
+  std::string name;  ///< Name of the scenario file.
   std::uint64_t next_snapshot = 0;
   Seconds seconds;
-  std::vector<std::string> notes;  ///< Of the start.
+  std::vector<std::string> notes;  ///< Notes from the start of the run.
 
   static void persist(auto& archive, auto& self) {
     archive(self.choice, self.text, self.name, self.next_snapshot, self.seconds, self.notes);

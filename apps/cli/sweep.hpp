@@ -23,7 +23,7 @@ struct SweepPoint {
   double median_seconds() const { return seconds[seconds.size() / 2]; }
 };
 
-/// The same motion, run with cells of many sizes.
+/// Measurements of one motion that is run with cells of many sizes.
 struct Sweep {
   double span = 0;                 ///< Total simulated time of all measurements of a point [T].
   std::vector<SweepPoint> points;  ///< In ascending order of edges.

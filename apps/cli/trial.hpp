@@ -12,9 +12,9 @@ namespace hardball::cli {
 
 /// The beginning of a run, carried out to see what the whole costs.
 struct Trial {
-  double time = 0;             ///< That it came to [T].
-  double seconds = 0;          ///< That it took.
-  std::uint64_t contacts = 0;  ///< That there were.
+  double time = 0;             ///< The time reached [T].
+  double seconds = 0;          ///< Wall time spent.
+  std::uint64_t contacts = 0;  ///< Contacts so far.
   bool is_whole = false;       ///< Whether nothing is left: it came to the end, or to rest.
   std::string failure = {};    ///< Why the run failed; empty if it did not.
   double late_seconds = 0;     ///< For each unit of time, in the second half of the trial [1/T].
@@ -24,9 +24,9 @@ struct Trial {
 /// Carries out the run of a scenario, with its measures and without files, for half a second.
 Trial try_out(const Scenario& scenario, const Outlook& outlook);
 
-/// What the whole run costs on one core, as far as a trial tells [s]: as much for each unit of time as at the
-/// end of the trial; less of a gas that cools or flies apart; and of a heap until it comes to rest. Half a
-/// second is a whole run of small systems.
+/// Estimates what the whole run costs on one core from a trial [s]: as much per unit of time as at the end of
+/// the trial; less for a gas that cools or flies apart; for a heap, until it comes to rest. Half a second is
+/// a whole run of small systems.
 double expected_seconds(const Scenario& scenario, const Outlook& outlook, const Trial& trial);
 
 }  // namespace hardball::cli

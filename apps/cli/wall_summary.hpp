@@ -19,7 +19,7 @@ struct WallSummary {
   double pressure = 0;  ///< [M L^-1 T^-2]
 };
 
-/// Those of measured_walls, from the tally at `now`. The world may be without spheres.
+/// Summaries of measured_walls from the tally at `now`. The world may be without spheres.
 std::vector<WallSummary> summarize_walls(const World& world, const Tally& tally, const Time& now);
 
 }  // namespace hardball::cli

@@ -36,7 +36,7 @@ bool has_walls(const Scenario& scenario) {
          std::ranges::any_of(scenario.box, [](const auto& axis) { return axis.boundary == Boundary::wall; });
 }
 
-// Whether all spheres pass through each other, as far as species tell.
+// Whether all spheres pass through each other, judging by their species.
 bool do_all_pass(const Scenario& scenario) {
   if (scenario.spheres.empty() || scenario.species.empty()) return false;
   std::set<std::pair<SpeciesId, SpeciesId>> passing;
@@ -74,7 +74,7 @@ std::optional<std::string> why_nothing_touches(const Scenario& scenario, const G
   const bool falls = scenario.gravity != Vec3{};
   if (statistics.mean_speed == 0 && !are_kept_moving(scenario)) {
     if (!falls) return "nothing moves";
-    if (!has_walls(scenario)) return "all spheres fall alike, and nothing is in their way";
+    if (!has_walls(scenario)) return "all spheres fall alike, and there is nothing for them to hit";
   }
   if (has_walls(scenario)) return std::nullopt;
   if (statistics.spheres == 1 && !statistics.box.is_all(Boundary::periodic))
@@ -102,9 +102,10 @@ std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatisti
   const double apart =
       std::max({statistics.extent.x, statistics.extent.y, statistics.extent.z}) / statistics.mean_speed;
   if (!axes.empty() && statistics.spheres > 1 && apart < until && scenario.bonds.empty()) {
-    warnings.push_back(fmt::format(
-        "the space is open along {}: after a time of {:.2g} the spheres have flown apart and hardly meet",
-        axes, apart));
+    warnings.push_back(
+        fmt::format("the space is open along {}: after a time of {:.2g} the spheres have flown apart and "
+                    "hardly ever collide",
+                    axes, apart));
   }
   const bool is_pressed = comes_to_rest(scenario) && !scenario.settles;
   if (is_pressed && scenario.bounce.elastic_below > 0 && scenario.bounce.contact_duration == 0) {

@@ -10,8 +10,8 @@
 
 namespace hardball::cli {
 
-/// What a run would meet that its author may not expect, a sentence each: that nothing can ever touch, or
-/// that spheres come to rest by inelastic collapse.
+/// Warnings of what the author of a run may not expect, a sentence each: no spheres can ever touch, or
+/// spheres come to rest by inelastic collapse.
 std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatistics& statistics);
 
 }  // namespace hardball::cli

@@ -154,7 +154,7 @@ void MpiProcesses::gather_bytes(const void* own, std::size_t bytes, void* all) {
 
 void MpiProcesses::check_thread() const {
   if (thread_ == std::this_thread::get_id()) return;
-  throw Error("another thread than the one that joined the processes uses what they share",
+  throw Error("a thread other than the one that joined the processes uses what they share",
               "several processes", "use it in the thread that joined them");
 }
 

@@ -47,7 +47,7 @@ MPI_Comm in_runs = MPI_COMM_NULL;
 MPI_Comm at_end = MPI_COMM_NULL;
 
 const char* join(std::size_t* rank, std::size_t* size) {
-  // Whoever has started it would also end it, perhaps before `leave`.
+  // If another library started MPI, it would also end it, perhaps before `leave`.
   int is_started = 0;
   MPI_Initialized(&is_started);
   if (is_started != 0)

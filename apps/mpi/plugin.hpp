@@ -25,7 +25,7 @@ struct MpiMessage {
 /// The functions of a plug-in for MPI. Those that return a text return null on success; otherwise the text
 /// says what has failed, and holds until the next call. Only one thread calls.
 struct MpiPlugin {
-  /// That for which the plug-in was built; the first member in all versions.
+  /// The version of this interface for which the plug-in was built; the first member in all versions.
   std::uint32_t version;
   /// The implementation of MPI with which the plug-in was built, as in "Open MPI 4.1.4".
   const char* library;

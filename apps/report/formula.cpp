@@ -188,7 +188,7 @@ class Formula {
     return markup;
   }
 
-  // What is in braces, or the next byte without, as it is.
+  // What is in braces, or without braces the next byte, unchanged.
   std::string_view verbatim() {
     if (!take_if("{")) return take(1);
     const std::string_view inside = take(std::min(rest_.find('}'), rest_.size()));

@@ -45,7 +45,7 @@ std::string power_of_ten(int exponent) {
   return "10" + raised(std::to_string(exponent));
 }
 
-// The exponent of the first digit once the number is rounded to so many digits. Precondition: not zero.
+// The exponent of the first digit once the number is rounded to `digits` digits. Precondition: not zero.
 int exponent_of(double value, int digits) {
   const std::string text = fmt::format("{:.{}e}", value, digits - 1);
   return std::stoi(text.substr(text.find('e') + 1));

@@ -9,7 +9,7 @@
 /// Numbers and units as printed: with true minus signs, powers of ten and raised exponents.
 namespace hardball::report {
 
-/// A number to so many significant digits, without trailing zeros: "−1.25", "3.2·10⁻¹⁶"; "–" if it is NaN.
+/// A number to `digits` significant digits, without trailing zeros: "−1.25", "3.2·10⁻¹⁶"; "–" if it is NaN.
 std::string number_text(double value, int digits = 6);
 
 /// A count with thousands separators: "1,234,567".

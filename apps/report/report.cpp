@@ -60,7 +60,7 @@ double work_of_surfaces(const Report& report) {
   return work;
 }
 
-// Relative to the energy at the start; as it is if that is not positive.
+// Relative to the energy at the start; absolute if that is not positive.
 double relative_to_energy(const Report& report, double change) {
   return report.initial_energy > 0 ? change / report.initial_energy : change;
 }

@@ -30,7 +30,7 @@ struct CostCurve {
 struct SurfaceReport {
   std::string name;                                            ///< "x_min", "floor".
   std::string shape;                                           ///< "plane", "cylinder", "sphere", "obstacle".
-  std::uint64_t contacts = 0;                                  ///< Of spheres with it.
+  std::uint64_t contacts = 0;                                  ///< Contacts of spheres with it.
   double area = std::numeric_limits<double>::quiet_NaN();      ///< [L^2]; infinite or NaN if it is unbounded.
   double force = std::numeric_limits<double>::quiet_NaN();     ///< Mean along the normal [M L T^-2].
   double pressure = std::numeric_limits<double>::quiet_NaN();  ///< Force over area [M L^-1 T^-2].
@@ -43,16 +43,16 @@ struct SurfaceReport {
 struct ThermostatReport {
   std::string kind;          ///< As in scenarios: "andersen".
   std::uint64_t events = 0;  ///< How often it acted.
-  double energy = 0;         ///< That it gave to the spheres [M L^2 T^-2].
+  double energy = 0;         ///< Energy given to the spheres [M L^2 T^-2].
 };
 
 /// How the spheres have grown.
 struct GrowthReport {
   std::string state;                                                  ///< As in summaries: "reached".
   std::uint64_t epochs = 0;                                           ///< How many have begun.
-  double compressibility = std::numeric_limits<double>::quiet_NaN();  ///< Of the last epoch [1].
+  double compressibility = std::numeric_limits<double>::quiet_NaN();  ///< In the last epoch [1].
   double work = 0;    ///< The energy that contacts of growing spheres have given [M L^2 T^-2].
-  double energy = 0;  ///< That given by halving velocities, negative [M L^2 T^-2].
+  double energy = 0;  ///< Energy given by halving velocities, negative [M L^2 T^-2].
 };
 
 /// The shear of the box.
@@ -78,8 +78,8 @@ struct ResponseReport {
 /// All contents of the report of a run. A number without meaning for the run is NaN.
 struct Report {
   // Input.
-  std::string name;                  ///< Of the scenario.
-  std::string scenario;              ///< Its text (TOML).
+  std::string name;                  ///< Name of the scenario.
+  std::string scenario;              ///< Text of the scenario (TOML).
   std::vector<std::string> changes;  ///< What the command line changed in it, as "--until 5".
   std::string program;               ///< Name and version.
   std::string date;                  ///< When the run ended, as text.
@@ -97,11 +97,11 @@ struct Report {
   std::uint64_t event_log_hash = 0;
   std::size_t spheres = 0;
   Counters events;
-  std::uint64_t mergers = 0;  ///< Those of the collisions after which two spheres were one.
-  std::uint64_t passes = 0;   ///< Those in which they passed through each other.
+  std::uint64_t mergers = 0;  ///< Collisions after which two spheres were one.
+  std::uint64_t passes = 0;   ///< Collisions in which two spheres passed through each other.
   double packing_fraction = std::numeric_limits<double>::quiet_NaN();  ///< [1]
   double initial_energy = 0;  ///< Under gravity the potential energy is included [M L^2 T^-2].
-  double final_energy = 0;    ///< Likewise.
+  double final_energy = 0;    ///< With the potential energy under gravity [M L^2 T^-2].
   /// The part of rotation at the end [M L^2 T^-2].
   double rotational_energy = std::numeric_limits<double>::quiet_NaN();
   Vec3 momentum;           ///< [M L T^-1]
@@ -110,7 +110,7 @@ struct Report {
   // Performance.
   std::string engine;
   double cell_edge = std::numeric_limits<double>::quiet_NaN();  ///< [L]
-  double skin = std::numeric_limits<double>::quiet_NaN();       ///< Of neighbor lists [L].
+  double skin = std::numeric_limits<double>::quiet_NaN();       ///< Skin of neighbor lists [L].
   double setup_seconds = 0;
   double run_seconds = 0;
   double bytes_per_sphere = 0;

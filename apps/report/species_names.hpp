@@ -17,7 +17,7 @@ class SpeciesNames {
 
   /// "collision_rate_1_2" as "collision rate, helium–krypton", without names "collision rate, species 1–2".
   std::string readable(std::string_view name) const;
-  /// The same without the species: "collision rate".
+  /// "collision_rate_1_2" without the species: "collision rate".
   std::string quantity(std::string_view name) const;
 
  private:

@@ -11,8 +11,8 @@
 
 namespace hardball::viewer {
 
-/// A thread for each connection of a server, for as long as the connection lasts: so those that send nothing
-/// hold nobody up.
+/// A thread for each connection of a server, for as long as the connection lasts: so a connection that sends
+/// nothing delays no other.
 class ConnectionThreads final : public httplib::TaskQueue {
  public:
   /// More than `most` connections wait until others end.

@@ -20,7 +20,7 @@ namespace hardball::viewer {
 /// they may view, the one that came first gives way to the next.
 class GuardedServer final : public httplib::Server {
  public:
-  /// `may_view` tells from the first line of a request whether its client may view.
+  /// `may_view` decides from the first line of a request whether its client may view.
   GuardedServer(const ClientLimits& limits, std::function<bool(std::string_view line)> may_view)
       : limits_(limits), may_view_(std::move(may_view)) {}
 

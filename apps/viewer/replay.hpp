@@ -21,7 +21,7 @@ class Replay {
   /// `recording` must outlive it. Error: the recording is longer than kMaxReplayedBytes.
   Replay(const SharedRecording& recording, const Page& page);
 
-  /// Of the HTML file, in bytes.
+  /// Length of the HTML file in bytes.
   std::uint64_t length() const;
   /// Some bytes of the file from `offset` on, at least one. Precondition: offset < length(). Error
   /// (RunFailure): the recording cannot be read.

@@ -26,13 +26,13 @@ struct TimedBlocks {
 struct RunProgress {
   bool is_finished = false;                ///< The run has ended.
   std::optional<std::string> failure;      ///< Why it ended early.
-  std::optional<std::string> damage = {};  ///< Of the recording, which ends before it.
-  std::uint64_t collisions = 0;            ///< Of spheres that did not pass through each other.
-  std::uint64_t mergers = 0;               ///< Those of them after which the spheres were one.
+  std::optional<std::string> damage = {};  ///< Why the recording ends early, if it is damaged.
+  std::uint64_t collisions = 0;            ///< Collisions of spheres that did not pass through each other.
+  std::uint64_t mergers = 0;               ///< Collisions after which two spheres were one.
   std::uint64_t walls = 0;
   double rate = 0;                          ///< Contacts per second of wall-clock time.
-  std::optional<std::uint64_t> hash;        ///< Of the event log.
-  std::vector<TimedBlocks> divisions = {};  ///< Of a live run, in the order of times.
+  std::optional<std::uint64_t> hash;        ///< Hash of the event log.
+  std::vector<TimedBlocks> divisions = {};  ///< Blocks of domains in a live run, in the order of times.
   WindowCounters windows = {};
 };
 
@@ -47,9 +47,9 @@ class SharedRecording {
   ~SharedRecording();
   SharedRecording(const SharedRecording&) = delete;
 
-  /// As RecordingReader::verify.
+  /// See RecordingReader::verify.
   void verify(const std::function<void(const RecordedChunk&)>& take);
-  /// As RecordingReader::damage.
+  /// See RecordingReader::damage.
   std::optional<std::string> damage() const;
 
   /// Finds added chunks, and sets the progress of the run. Error: see RecordingReader::refresh.
@@ -62,9 +62,9 @@ class SharedRecording {
   /// The progress of the run, and the end times of the chunks from number `from` on: one JSON object.
   std::string status_json(std::uint64_t from) const;
 
-  /// Where radii and masses lie in the file.
+  /// The part of the file that holds radii and masses.
   FileExtent spheres() const { return reader_.spheres(); }
-  /// Where a chunk lies in the file; none if it is not there yet.
+  /// The part of the file that holds a chunk; none if it is not there yet.
   std::optional<FileExtent> chunk(std::uint64_t number) const;
   /// Length of the recording up to its last complete chunk.
   std::uint64_t length() const;

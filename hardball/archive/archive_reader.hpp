@@ -34,7 +34,7 @@ class ArchiveReader {
   /// `where` names the bytes in errors. Precondition: they outlive this.
   ArchiveReader(std::string_view bytes, std::string where) : bytes_(bytes), where_(std::move(where)) {}
 
-  /// Reads the version of the format of what follows. Error: it is none, or one of a later program.
+  /// Reads the version of the format of what follows. Error: it is not a version, or one of a later program.
   void read_version();
   std::uint32_t version() const { return version_; }
   /// Error: the condition does not hold.

@@ -12,8 +12,8 @@ namespace hardball {
 /// once, for writing and for reading: archive(self.a_, self.b_). It may call archive.require(condition) on
 /// what it has read, and ask archive.version() where the format has changed. It needs a default constructor,
 /// private if need be, for objects that are about to be read; and it may have `bool restored()`, called when
-/// its state has been read, which derives what is not archived and returns false if the state is none of such
-/// an object.
+/// its state has been read, which derives what is not archived and returns false if no such object has that
+/// state.
 class Persistence {
  public:
   template <class T>
@@ -37,7 +37,8 @@ class Persistence {
   }
 };
 
-/// Those of a class that are written as their bytes: nothing but doubles and 32-bit integers, without gaps.
+/// Whether objects of a class are written as their bytes: they consist of doubles and 32-bit integers alone,
+/// without gaps.
 template <class T>
 inline constexpr bool kIsPlain = requires {
   requires T::kIsPlain;

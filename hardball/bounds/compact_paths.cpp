@@ -28,7 +28,7 @@ constexpr double kMaxSteps = 0x1p50;
 // The speed V up to which copies are good, over the root mean square of those copied.
 constexpr double kSpeedMargin = 8;
 
-// Units are chosen anew after so many copies per sphere, or when so many of them say nothing.
+// Units are chosen again after this many copies per sphere, or when this many copies have no bound.
 constexpr std::uint64_t kCopiesPerSphere = 32;
 constexpr std::uint64_t kUnboundedShare = 8;
 constexpr std::uint64_t kFewCopies = 256;

@@ -29,21 +29,21 @@ class CompactPaths {
   /// Copies all paths at `now`, where candidates are at most `farthest` [L] apart, and spheres move no
   /// farther before they are copied again. Cost: O(n).
   void reset(const World& world, double farthest, const Time& now);
-  /// The same in a sheared box, where the broad phase does not see to it that spheres do not move farther
-  /// than `most_moved` [L]: then copies expire. Precondition: `farthest` is at least least_farthest(), and at
-  /// least `most_moved`; half of the shortest period is more than `most_moved` and the distance of
-  /// candidates.
+  /// Copies all paths at `now` in a sheared box. There the broad phase does not keep spheres from moving
+  /// farther than `most_moved` [L]; copies expire instead. Precondition: `farthest` is at least
+  /// least_farthest(), and at least `most_moved`; half of the shortest period is more than `most_moved` and
+  /// the distance of candidates.
   void reset(const World& world, double farthest, double most_moved, const Time& now);
   /// The distance at which the heights of a sheared box fit into the ring of integers [L].
   static double least_farthest(const Box& box);
   /// Makes room for one more sphere, or for one of another radius, and copies its path at `now`. Cost: O(1)
   /// amortized.
   void insert(const World& world, Slot slot, const Time& now);
-  /// The sphere in one slot is in another now. The revisions of the slots stay.
+  /// Moves the copy of a sphere to another slot. The revisions of the slots stay.
   void move(Slot from, Slot to);
   /// Whether speeds have changed, or units were chosen long ago: then `renew` pays.
   bool are_outdated() const { return unbounded_ > most_unbounded_ || copies_ > most_copies_; }
-  /// As reset(), with the distance given before.
+  /// Copies all paths again, as reset() does, with the distance given to reset().
   void renew(const World& world, const Time& now) { reset(world, farthest_, most_moved_, now); }
 
   /// Copies one path as it is at `now`.
@@ -57,7 +57,7 @@ class CompactPaths {
   /// Whether the last copy says anything of the contacts of the sphere.
   bool is_bounded(Slot slot) const { return !std::isnan(paths_[slot].velocity[0]); }
 
-  /// Notes that a path has changed; returns its new revision.
+  /// Records that a path has changed; returns its new revision.
   std::uint32_t note_change(Slot slot) {
     paths_[slot].revision += kRevision;
     return revision(slot);
@@ -118,7 +118,7 @@ class CompactPaths {
   double time_unit() const { return time_unit_; }
   /// The largest radii of the epoch by slot, in units, rounded up; null if all are `radius(0)`.
   const float* radii() const { return radii_.empty() ? nullptr : radii_.data(); }
-  /// The same for bounds; null if scale() has all.
+  /// Radii by slot for bounds, as radii() returns them; null if scale() has all.
   const float* radii_for_bounds() const { return are_radii_few_ ? nullptr : radii(); }
   float radius(Slot slot) const {
     return are_radii_few_ ? scale_.radii[paths_[slot].revision % CompactPath::kRadii] : radii_[slot];

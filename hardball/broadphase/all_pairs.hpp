@@ -17,7 +17,7 @@ namespace hardball {
 /// interval, or those of a sheared box have slid by as much. Cost: O(n) per collision.
 class AllPairs final : public BroadPhase {
  public:
-  /// There is nothing to set.
+  /// The settings do not matter: there is nothing to set.
   explicit AllPairs(const PhaseSettings& = {}) : BroadPhase({.kind = PhaseKind::all_pairs}) {}
 
   static bool supports(const World&, double) { return true; }

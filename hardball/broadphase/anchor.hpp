@@ -9,12 +9,12 @@
 
 namespace hardball {
 
-/// Where a sphere's neighbor list was made. In a sheared box an anchor moves with its row of cells
+/// The place where a sphere's neighbor list was made. In a sheared box an anchor moves with its row of cells
 /// (SlidingAnchors): its position along x is that in its row.
 struct Anchor {
   std::array<std::int32_t, 3> position{};  ///< On the grid of CompactPaths, modulo 2^32 steps.
   CellIndex cell{};
-  std::uint32_t expiry = 0;  ///< Of the list where rows slide, modulo 2^32 of its ticks.
+  std::uint32_t expiry = 0;  ///< When the list expires where rows slide, modulo 2^32 of its ticks.
 };
 
 // On the grid of CompactPaths, modulo 2^32 steps.

@@ -26,7 +26,8 @@ void ApproachList::make(const Sources& sources, Slot owner, const Vec3& position
                         const Candidates& all) {
   const auto& [world, copies, large, usual_speed, skin] = sources;
   owner_ = owner;
-  // Under gravity speeds change between contacts: nobody could say who comes from where in time.
+  // Under gravity speeds change between contacts, so that it is unknown from where spheres can arrive in
+  // time.
   const bool pays = world.motion().is_straight() && all.size() >= kMinToList && copies.is_bounded(owner);
   if (pays) choose_depth(skin, all.size());
   const double begin = rounded_down(now);

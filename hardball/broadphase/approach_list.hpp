@@ -14,8 +14,8 @@
 
 namespace hardball {
 
-/// Of thousands of candidates at the surface of a large sphere, those that can reach it before the list
-/// expires, while its center stays within a skin of a point.
+/// Lists the spheres, among the thousands of candidates at the surface of a large sphere, that can reach it
+/// before the list expires, while its center stays within a skin of a point.
 ///
 /// Spheres come at their own speeds or at a usual one that is rarely exceeded. Whoever becomes faster than
 /// that near the large sphere must be added. How long a list lasts is adapted, so that the search for it
@@ -31,9 +31,9 @@ class ApproachList {
   struct Sources {
     const World& world;
     const CompactPaths& copies;
-    const SlotSet& large;  ///< These are always listed.
+    const SlotSet& large;  ///< Large spheres are always listed.
     double usual_speed;    ///< [L/T]
-    double skin;           ///< Of the large sphere's cells [L].
+    double skin;           ///< Skin of the large sphere's cells [L].
   };
 
   /// Whether there is a list; otherwise all candidates must be searched.

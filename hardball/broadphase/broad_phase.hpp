@@ -37,7 +37,7 @@ struct PhaseSettings {
       : kind(wanted_kind), length(wanted_length), instructions(available) {}
   PhaseSettings(double wanted_length)  // NOLINT(google-explicit-constructor)
       : length(wanted_length) {}
-  /// These settings for spheres whose centers are expected in a part of space.
+  /// Returns these settings for spheres whose centers are expected in a part of space.
   PhaseSettings within(const Extent& extent) const {
     PhaseSettings settings = *this;
     settings.expected = extent;
@@ -47,8 +47,8 @@ struct PhaseSettings {
 
 /// The lengths that follow from the settings and the world; zero where there are none.
 struct PhaseLengths {
-  Vec3 cell_edges = {};  ///< Of a cell, along the axes [L].
-  double skin = 0;       ///< Of neighbor lists [L].
+  Vec3 cell_edges = {};  ///< Edges of a cell [L].
+  double skin = 0;       ///< Skin of neighbor lists [L].
 };
 
 /// What spares virtual calls: what a broad phase is, and what it does without.

@@ -53,7 +53,7 @@ class Candidates {
   /// The displacements of the images along an axis [L]. Precondition: not uses_minimum_image().
   const double* shifts(std::size_t axis) const { return shifts_[axis].data(); }
 
-  /// Makes the candidates those of a list elsewhere, whole vectors of slots, which must stay as it is until
+  /// Makes the candidates those of a list elsewhere, whole vectors of slots, which must not change until
   /// begin().
   void refer_to(std::span<const Slot> listed) {
     listed_ = listed.data();
@@ -137,8 +137,8 @@ class Candidates {
     end();
   }
 
-  /// The same for candidates that mean nearest images: keep(slots, count, kept) writes those wanted to
-  /// `kept`, which may be `slots` and has room for a whole vector more, and returns how many they are.
+  /// Keeps only some of the candidates, which mean nearest images: keep(slots, count, kept) writes those
+  /// wanted to `kept`, which may be `slots` and has room for a whole vector more, and returns their number.
   template <class Keep>
   void keep_slots(Keep&& keep) {
     if (size_ > room_) {

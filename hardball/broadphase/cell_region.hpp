@@ -30,7 +30,7 @@ struct CellRegion {
     row.low[axis] = row.high[axis] = is_upper(crossed_face) ? row.high[axis] + 1 : row.low[axis] - 1;
     return row;
   }
-  /// Of a region that is a CellBlock: the axes along which it is two cells wide.
+  /// The axes along which a region that is a CellBlock is two cells wide, as bits.
   std::uint32_t wide_axes() const { return (more[0] * 4U + more[1] * 2U) + more[2]; }
 };
 

@@ -12,21 +12,22 @@
 
 namespace hardball {
 
-/// Which list holds the spheres of a cell: the paper's subspace tree, with a formula in place of the tree.
+/// Computes which list holds the spheres of a cell: the paper's subspace tree, with a formula in place of the
+/// tree.
 ///
 /// - If there are few cells per sphere, each has a list.
 /// - If spheres are expected in a part of the box, only the cells there have lists of their own. Along each
 ///   axis, all indices elsewhere count as one.
-/// - If there are many cells all the same, or space is unbounded, any cells may share a list.
+/// - If there are too many cells even so, or space is unbounded, any cells may share a list.
 ///
-/// Those who search a cell that shares its list find the spheres of others as well. Memory is O(spheres). The
-/// number of a list is a sum over the axes, modulo 2^32, or the first bits of it. Cost: O(1).
+/// A search of a cell that shares its list also finds the spheres of the other cells. Memory is O(spheres).
+/// The number of a list is a sum over the axes, modulo 2^32, or the first bits of it. Cost: O(1).
 class CellTable {
  public:
   CellTable() = default;
   /// The cells of `cells`; `expected` is where spheres are expected.
   CellTable(const Subdivision& cells, std::size_t spheres, const CellSpans& expected);
-  /// The same for spheres that may be anywhere.
+  /// A table for spheres that may be anywhere.
   CellTable(const Subdivision& cells, std::size_t spheres);
 
   /// The number of lists.
@@ -35,7 +36,7 @@ class CellTable {
   bool is_shared() const { return has_elsewhere_ || is_spread(); }
   /// Whether any cells may share one. Otherwise the number of a list is the sum itself.
   bool is_spread() const { return shift_ > 0; }
-  /// Whether a cell or one at most so many rows away along each axis may share a list.
+  /// Whether a cell, or one at most `rows` rows away along each axis, may share a list.
   bool is_shared_within(std::uint32_t rows, const CellIndex& cell) const {
     if (!has_elsewhere_) return is_shared();
     bool is_near = false;
@@ -57,7 +58,7 @@ class CellTable {
     }
     return place * along.stride;
   }
-  /// The same for an index and the next one.
+  /// The parts of an index and of the next one.
   using Pair = std::array<std::uint32_t, 2>;
   HARDBALL_ALWAYS_INLINE Pair parts_from(std::size_t axis, std::int32_t index) const {
     const Axis& along = axes_[axis];

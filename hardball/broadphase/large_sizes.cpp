@@ -21,14 +21,14 @@ double smallest_edge(const Subdivision& cells) {
   return std::min({cells.edge(0), cells.edge(1), cells.edge(2)});
 }
 
-// Nothing if no sphere is large, or so many that other cells suit the world better.
+// Nothing if no sphere is large, or if so many are large that other cells suit the world better.
 std::optional<LargeSizes> if_they_pay(const std::optional<LargeSizes>& sizes, const World& world) {
   if (!sizes || sizes->count == 0 || 2 * sizes->count > world.size()) return std::nullopt;
   const auto spheres = static_cast<double>(world.size());
   return sizes->surfaces > kMaxSurfacesPerSphere * spheres ? std::nullopt : sizes;
 }
 
-// The sizes if radii of up to so many edges are not large; nothing if candidates would not be nearest images.
+// The sizes if radii up to this many edges are not large; nothing if candidates would not be nearest images.
 std::optional<LargeSizes> sizes_above(double largest_in_edges, const World& world, const Subdivision& cells) {
   const double edge = smallest_edge(cells);
   LargeSizes sizes;

@@ -10,13 +10,13 @@
 
 namespace hardball {
 
-/// Which spheres are too large for the cells of a LargeSphereGrid, and the sizes that follow from these
+/// The sizes that follow from the cells of a LargeSphereGrid, and which spheres are too large for these
 /// cells.
 ///
 /// If none of the others is larger than a cell, these are kept in blocks of cells, which is the fastest. So
-/// all that do not fit into cells are large if they are few; otherwise only those so large that crossing from
-/// row to row would cost more than changing all cells at their surfaces.
-/// Source: docs/decisions/0012-large-spheres-as-shells-of-cells.md.
+/// all that do not fit into cells are large if they are few; otherwise only those that are so large that
+/// crossing from row to row would cost more than changing all cells at their surfaces. Source:
+/// docs/decisions/0012-large-spheres-as-shells-of-cells.md.
 struct LargeSizes {
   /// The largest radius of a sphere that touches at most two cells along each axis, in edges of a cell.
   static constexpr double kLargestInCell = 0.4999;
@@ -29,7 +29,7 @@ struct LargeSizes {
   static double cells_of_surface(double radius, std::size_t dimensions);
 
   /// The largest radius that is not large, in edges, if the surfaces of all spheres that do not fit into
-  /// cells touch so many cells.
+  /// cells touch this many cells.
   static constexpr double largest_in_edges(double surfaces, double spheres) {
     constexpr double kFewSurfaces = 0.5;  // for each sphere; measured
     return surfaces <= kFewSurfaces * spheres ? kLargestInCell : kLargestInRows;
@@ -38,14 +38,14 @@ struct LargeSizes {
   /// Nothing if the cells do not suit the world: no sphere is large, more are large than not, or the box is
   /// so small that candidates would not be nearest images. Cost: O(n).
   static std::optional<LargeSizes> in(const World& world, const Subdivision& cells);
-  /// The same of some of the spheres of a world that the cells suit, however many of them are large. Nothing
-  /// if the cells suit no such world.
+  /// The sizes for some of the spheres of a world that the cells suit, however many of them are large;
+  /// nothing if the cells suit no such world. Cost: O(n).
   static std::optional<LargeSizes> in_part(const World& part, const Subdivision& cells);
 
   double largest_in_grid = 0;  ///< The largest radius that is not large [L].
   double largest = 0;          ///< The largest radius that there may be [L].
-  double second_largest = 0;   ///< That of all but one [L].
-  std::size_t count = 0;       ///< Of large spheres.
+  double second_largest = 0;   ///< The largest radius of all spheres but one [L].
+  std::size_t count = 0;       ///< Number of large spheres.
   double skin = 0;             ///< How far a large sphere moves from its anchor [L].
   double surfaces = 0;         ///< Cells that the surfaces of the large ones touch, about [1].
   double farthest = 0;         ///< The distance of a large sphere and a candidate [L].

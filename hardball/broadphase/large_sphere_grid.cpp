@@ -111,7 +111,7 @@ void LargeSphereGrid::move(Slot from, Slot to) {
   mark_large(from, false, 0);
 }
 
-// No cell tells who lies deep inside a large sphere.
+// No cell knows which spheres lie deep inside a large sphere.
 void LargeSphereGrid::collect_overlapping(const World& world, Slot slot, Candidates& candidates) const {
   if (is_large(slot)) {
     candidates.begin(slot, true);

@@ -142,8 +142,8 @@ void NeighborList::make_lists(std::uint32_t lines, const Time& now, const Compac
   if (sliding_.are_present()) make_mutual();
 }
 
-// Seen from two rows, distances are rounded in different ways: who has another in its list is in that one's
-// list, too.
+// Seen from two rows, distances are rounded in different ways: if a sphere has another in its list, it is in
+// the other's list, too.
 void NeighborList::make_mutual() {
   for (Slot slot = 0; slot < lines_.size(); ++slot) {
     const std::span<const Slot> lanes = neighbors_.of(slot);

@@ -153,7 +153,7 @@ class NeighborList final : public BroadPhase {
   State relative_to_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
   // The anchor as seen from the row that is `rows` above its own.
   Anchor seen_from_row(const Anchor& anchor, std::int32_t rows) const;
-  // Notes how rows will be displaced when lists made now are half as old.
+  // Records how rows will be displaced when lists made now are half as old.
   void note_step(const Time& now, const CompactPaths& copies);
   // Where an anchor lies in its cell along an axis, on the grid of CompactPaths.
   std::int32_t steps_in_cell(const Anchor& anchor, std::size_t axis) const;
@@ -184,11 +184,10 @@ class NeighborList final : public BroadPhase {
   double skin_ = 0;
   double largest_built_ = 0;  // the largest radius when lists were made
   float reach_ = 0;           // of shells beyond the radii, in units of the compact paths
-  float reach_of_slide_ =
-      0;  // likewise, what rows may slide past each other in half of the time that lists last
-  float packing_error_ = 0;  // of distances, likewise
-  float room_squared_ = 0;   // likewise, of room_
-  double room_ = 0;          // the distance from its anchor at which a center crosses
+  float reach_of_slide_ = 0;  // how far rows may slide past each other in half of the time that lists last
+  float packing_error_ = 0;   // of distances, in units
+  float room_squared_ = 0;    // the square of room_, in units
+  double room_ = 0;           // the distance from its anchor at which a center crosses
   // Of rows against those below, when the current list will be half as old:
   std::int32_t step_ = 0;     // on the grid of CompactPaths
   double step_in_cells_ = 0;  // of the edge of a cell

@@ -20,7 +20,7 @@ namespace {
 constexpr double kMostCellsPerSphere = 2;
 constexpr double kMostCellsAlways = 4096;
 
-// Along each axis, a sphere touches at most so many cells; its region may have two more rows.
+// Along each axis, a sphere touches at most this many cells; its region may have two more rows.
 constexpr int kMostTouched = 6;
 static_assert(kMostTouched + 2 <= ShearedRegion::kMostRows);
 
@@ -181,7 +181,7 @@ void ShearedCells::collect(const World&, Slot slot, Candidates& candidates) cons
   candidates.end();
 }
 
-// Collects those who touch a cell folded into the box.
+// Collects the spheres that touch a cell folded into the box.
 void ShearedCells::collect_cell(const CellIndex& folded, Candidates& candidates) const {
   const std::uint32_t list = table_.list(folded);
   if (!table_.is_shared()) return collect_list(list, candidates);
@@ -449,7 +449,7 @@ void ShearedCells::cross_block(const World& world, Slot slot, const Time& now, C
   enter_cells(slot, entered, candidates);
 }
 
-// Collects those who touch some cells of the block, and enters these.
+// Collects the spheres that touch some cells of the block, and enters these cells.
 void ShearedCells::enter_cells(Slot slot, std::uint32_t cells, Candidates& candidates) {
   const ShearedBlock& block = stored_region(slot);
   if (table_.is_shared()) [[unlikely]] {

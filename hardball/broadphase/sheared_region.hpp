@@ -24,19 +24,19 @@ struct ShearedRegion {
     friend bool operator==(const Cells&, const Cells&) = default;
   };
 
-  std::int32_t lowest = 0;       ///< Row along y.
-  std::uint8_t count = 0;        ///< Of rows; none if there is no region.
-  std::uint8_t crossed_row = 0;  ///< In which the next crossing is, counted from the lowest.
+  std::int32_t lowest = 0;       ///< The lowest row along y.
+  std::uint8_t count = 0;        ///< Number of rows; zero if there is no region.
+  std::uint8_t crossed_row = 0;  ///< Row of the next crossing, counted from the lowest.
   std::uint8_t crossed_face = 0;
-  Cells depths;                        ///< Along z.
-  std::array<Cells, kMostRows> along;  ///< Of each row, along x.
+  Cells depths;                        ///< Cells along z.
+  std::array<Cells, kMostRows> along;  ///< Cells of each row, along x.
 
   std::int32_t highest() const { return lowest + count - 1; }
   bool has_row(std::int32_t row) const { return lowest <= row && row <= highest(); }
   /// Precondition: has_row(row).
   Cells& in_row(std::int32_t row) { return along[static_cast<std::size_t>(row - lowest)]; }
   const Cells& in_row(std::int32_t row) const { return along[static_cast<std::size_t>(row - lowest)]; }
-  /// The cells of a row in space. Precondition: likewise.
+  /// The cells of a row in space. Precondition: has_row(row).
   CellRange cells_in(std::int32_t row) const {
     return {{in_row(row).first, row, depths.first}, {in_row(row).last, row, depths.last}};
   }

@@ -19,8 +19,8 @@ namespace hardball {
 class SlidingAnchors {
  public:
   SlidingAnchors() = default;
-  /// From `now` on, in so many rows; lists expire when adjacent ones have slid past each other by `slide`
-  /// [L].
+  /// Anchors in `rows` rows from `now` on; lists expire when adjacent ones have slid past each other by
+  /// `slide` [L].
   SlidingAnchors(const Box& box, std::int32_t rows, double slide, const Time& now)
       : rows_(box, rows, now), start_(now) {
     const double speed = rows_.speed_of_step();
@@ -45,7 +45,7 @@ class SlidingAnchors {
     return expire() && ticks_left(anchor, now) < 0;
   }
 
-  /// Where a point of a box is along x in the row of an anchor [L].
+  /// The coordinate along x of a point of a box in the row of an anchor [L].
   double in_row(const Anchor& anchor, double x, const Time& now) const {
     return x - rows_.displacement(anchor.cell[1], now);
   }
@@ -75,7 +75,7 @@ class SlidingAnchors {
   double step_of_list(const Time& now) const {
     return rows_.step(expire() ? after(now, duration_ / 2) : now);
   }
-  /// The same for lists of which only the present counts.
+  /// Prepares for lists of which only the present counts.
   void look_at_the_present() { duration_ = 0; }
 
  private:

@@ -23,7 +23,7 @@ namespace hardball {
 class SlidingRows {
  public:
   SlidingRows() = default;
-  /// As they are from `now` on.
+  /// The rows of a box from `now` on.
   SlidingRows(const Box& box, std::int32_t rows, const Time& now)
       : are_present_(box.is_sheared()),
         images_(box.images()),
@@ -46,7 +46,8 @@ class SlidingRows {
       note(now);
   }
 
-  /// The same; displacements may jump by whole boxes, and stay small.
+  /// Makes displacements at moments near this one cheap, as keep_near does, and keeps them small: they may
+  /// jump by whole boxes.
   void keep_near_and_small(const Time& now) {
     if (is_near(duration(noted_at_, now))) [[likely]]
       return;
@@ -62,7 +63,7 @@ class SlidingRows {
       return noted(row, since);
     return exact_displacement(row, moment);
   }
-  /// The same of a row and the one above.
+  /// The displacements of a row and of the one above [L].
   std::array<double, 2> displacements(std::int32_t row, const Time& moment) const {
     const double since = duration(noted_at_, moment);
     if (is_near(since) && is_noted(row) && is_noted(row + 1)) [[likely]]
@@ -99,7 +100,7 @@ class SlidingRows {
     const DoubleDouble<double> slid = half_step(moment) * DoubleDouble<double>{2, 0};
     return (slid - product(std::round(slid.high / width_), width_)).high;
   }
-  // Noted are the rows of the box, and those next to it.
+  // Displacements are stored for the rows of the box and those next to it.
   bool is_noted(std::int32_t row) const {
     return static_cast<std::uint32_t>(row + 1) < static_cast<std::uint32_t>(rows_ + 2);
   }
@@ -130,7 +131,8 @@ class SlidingRows {
   // By which displacements are less, of the image above and by row:
   double boxes_above_ = 0;
   std::vector<double> boxes_;
-  // As noted at a moment, from the row below the box on, and of each against the one below:
+  // Displacements stored at a moment, from the row below the box on, and of each row relative to the one
+  // below:
   Time noted_at_;
   std::vector<double> displacements_;
   double step_ = 0;

@@ -23,7 +23,7 @@ namespace hardball {
 class SlotLists {
  public:
   static constexpr std::uint32_t kRoom = 14;
-  /// As many slots as fit into a cache line besides the count and the link.
+  /// The slots that fit into a cache line besides the count and the link.
   using LineOfSlots = std::array<Slot, kRoom>;
 
   /// Makes `count` empty lists and discards all others.

@@ -13,10 +13,10 @@ namespace hardball {
 /// A set of slots: a bit for each.
 class SlotSet {
  public:
-  /// Makes the set empty, for so many slots. Cost: O(slots).
+  /// Makes the set empty, with room for `slots` slots. Cost: O(slots).
   void reset(std::size_t slots) { words_.assign(slots / kBits + 1, 0); }
 
-  /// Precondition: there are so many slots.
+  /// Precondition: the set has room for the slot.
   bool contains(Slot slot) const { return (words_[slot / kBits] >> (slot % kBits) & 1) != 0; }
 
   /// Inserts a slot, or erases it. There may be more slots than before.

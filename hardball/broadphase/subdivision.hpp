@@ -50,8 +50,8 @@ struct CellRange {
   }
 };
 
-/// Cells along an axis: so many, from the first on. In a periodic box they may begin before the first one of
-/// the box, or pass the last one; their middle is inside.
+/// Consecutive cells along an axis, from the first on. In a periodic box they may begin before the first one
+/// of the box, or pass the last one; their middle is inside.
 struct CellSpan {
   std::int32_t first = 0;
   std::int32_t count = 0;
@@ -99,7 +99,8 @@ class Subdivision {
   /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many
   /// times.
   CellRange range_at(const Vec3& position, double radius) const;
-  /// The first and the last of them along an axis. Error: likewise.
+  /// The first and the last cell along an axis that a sphere touches. Error (RunFailure): it has crossed the
+  /// box too many times.
   std::pair<std::int32_t, std::int32_t> range_along(std::size_t axis, double coordinate, double radius) const;
   /// The distance from its center within which a sphere touches cells, along an axis [L].
   double reach(std::size_t axis, double radius) const { return radius + axes_[axis].margin; }
@@ -119,7 +120,8 @@ class Subdivision {
   }
   /// The cell, folded into the box, in which a point inside the box lies.
   CellIndex cell_of(const Vec3& point) const;
-  /// Its index along an axis; along a periodic one the point may be some boxes away. Error: as for range_at.
+  /// The index of a point's cell along an axis; along a periodic one the point may be some boxes away. Error
+  /// (RunFailure): as for range_at.
   std::int32_t cell_along(std::size_t axis, double coordinate) const {
     return folded(axis, index_of(axes_[axis], coordinate));
   }

@@ -37,8 +37,8 @@ class Cluster {
  public:
   /// What becomes of the contacts of a window.
   struct Kept {
-    bool log = false;  ///< They are kept in a log.
-    bool sums = true;  ///< They are added up when it is committed.
+    bool log = false;  ///< Contacts are kept in a log.
+    bool sums = true;  ///< Contacts are added up when the window is committed.
   };
 
   /// Takes over domains that together, with those that `exchange` reaches, hold a world as it is at `now`.
@@ -67,17 +67,17 @@ class Cluster {
   /// Whether all events that round to committed() have happened, too.
   bool is_complete() const { return is_complete_; }
 
-  /// Opens a window that ends no later than `end` and has at most so many contacts, of which it returns the
-  /// number. Precondition: `end` is not before committed() nor after kLargestTime; `most` is not zero; no
-  /// window is open. Error: what engines throw; then all before it has been committed, and no window is open.
+  /// Opens a window that ends no later than `end` and has at most `most` contacts, and returns their number.
+  /// Precondition: `end` is not before committed() nor after kLargestTime; `most` is not zero; no window is
+  /// open. Error: what engines throw; then all before it has been committed, and no window is open.
   std::uint64_t open_window(double end, std::uint64_t most, const Kept& kept);
   /// The contacts of the open window in all processes, if its log is kept; refers to this cluster until the
   /// next window.
   MergedLog merged_log();
   /// Takes the open window as what has happened.
   void commit_window();
-  /// Ends the open window with the first of its contacts, so many. Precondition: it has as many, and they are
-  /// kept in a log and not added up.
+  /// Ends the open window after the first `contacts` of its contacts. Precondition: it has that many, and
+  /// they are kept in a log and not added up.
   void cut_window(std::uint64_t contacts);
 
   /// The next contact up to `end`, without executing it: only crossings happen. Precondition: as for
@@ -163,18 +163,18 @@ class Cluster {
 
   void undo();
 
-  // The double before the last of so many contacts.
+  // The double before the time of the last of these contacts.
   double time_before(std::uint64_t contacts);
 
-  // Opens a window that ends with the next contact of all, if that is to be executed, or as far on as domains
-  // know whom their spheres meet. Returns the next contact, if it is known; if it is not to be executed, no
-  // window is open then.
+  // Opens a window that ends with the next contact of all, if that is to be executed, or as far ahead as
+  // domains know what their spheres touch. Returns the next contact, if it is known; if it is not to be
+  // executed, no window is open then.
   Event step(double end, bool executes);
 
   Event earliest_peeked();
 
   // Error: that of the domain in which it fails; if it fails in two, of the one that owns the first sphere,
-  // as a single engine would tell. In several processes, a RunFailure.
+  // as a single engine would. In several processes, a RunFailure.
   void execute(const Event& next);
 
   void note_failure(double length);

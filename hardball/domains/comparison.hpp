@@ -32,11 +32,11 @@ struct Correction {
 class Comparison {
  public:
   /// Returns when an own sphere first had a contact with a ghost that differs, here or at its owner [T];
-  /// infinity if none had in the whole window, from `begin` to `end`. Appends doubts about ghosts that differ
-  /// to the outboxes to their owners, which must be compared with what they doubt; see time_of_doubt.
+  /// infinity if none had in the whole window, from `begin` to `end`. Appends a Doubt about each ghost that
+  /// differs to the outbox of its owner, which must compare the two; see time_of_doubt.
   ///
   /// Of a sphere that differs, only a contact with an own sphere matters, here or at its owner; and where an
-  /// own sphere is in doubt, too, whether the two met. Source: docs/parallel.md, with the proof.
+  /// own sphere may be wrong, too, whether the two have touched. Source: docs/parallel.md, with the proof.
   double compare(const World& world, const Residents& residents, const Frontier& frontier,
                  std::span<const GhostRecord> own, std::span<const Outbox* const> inboxes, double begin,
                  double end, std::vector<Outbox>& outboxes);
@@ -62,7 +62,8 @@ class Comparison {
   std::vector<Correction> corrections_;
 };
 
-/// A time before which two spheres that two domains doubt cannot have met [T]; infinity if they have not.
+/// A time before which two spheres that may be wrong in two domains cannot have touched [T]; infinity if they
+/// have not.
 double time_of_doubt(const Box& box, const Halo& halo, std::span<const Doubt> own,
                      std::span<const Doubt> other);
 

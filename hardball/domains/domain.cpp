@@ -215,7 +215,7 @@ void Domain::end_legs(double until) {
   });
 }
 
-// How a domain takes a window as what has happened, and who owns and holds its spheres from then on.
+// How a domain commits a window, and which domains own and hold its spheres from then on.
 
 void Domain::commit(const Time& moment) {
   engine_.end_journal();

@@ -33,15 +33,15 @@ struct LoggedContact {
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
   Contact contact;
-  bool counts = true;                  ///< Another domain counts it otherwise.
-  DomainNumber other_owner = kNobody;  ///< Of the other sphere, if that is a ghost: it logs the contact, too.
+  bool counts = true;                  ///< Whether this domain counts the contact; if not, another one does.
+  DomainNumber other_owner = kNobody;  ///< Owner of the other sphere, if a ghost; logs the contact, too.
 };
 
 /// The spheres in and around a block of the box, with an engine of their own, which runs ahead through a
-/// window of time as if nothing came from farther away.
+/// window of time as if no sphere came from farther away.
 ///
 /// All domains do the same at once, a step at a time: `run`, then `verify`, then `doubtful_since`; if what
-/// happened is right, `commit` and `receive`, otherwise `undo`. What they tell each other lies in outboxes.
+/// happened is right, `commit` and `receive`, otherwise `undo`. They exchange messages in outboxes.
 class Domain {
  public:
   using Engine = hardball::Engine<CalendarQueue>;
@@ -78,7 +78,7 @@ class Domain {
     return engine_.memory_bytes() + residents_.memory_bytes() + frontier_.memory_bytes() +
            log_.capacity() * sizeof(LoggedContact) + ghost_records_.capacity() * sizeof(GhostRecord);
   }
-  /// What it tells a neighbor, by the number of the domain.
+  /// The messages for a neighbor, by the number of the domain.
   const Outbox& outbox_to(DomainNumber neighbor) const { return outboxes_[neighbor_number(neighbor)]; }
 
   /// Sums over this domain's own contacts in all windows committed since clear_sums(), if they are added up.
@@ -115,7 +115,7 @@ class Domain {
   /// than `most` contacts, those of ghosts included, the window is too long, and not right to its end.
   void run(double until, std::uint64_t most) {
     begin_window();
-    // Either error may be there only because ghosts are wrong: a single step will tell.
+    // Wrong ghosts may be the only reason for either error: a single step will show.
     try {
       const RunStatus status = engine_.run({.until = Time(until), .contacts = most}, Notes{*this});
       if (status == RunStatus::time_reached) return end_legs(until);
@@ -141,19 +141,19 @@ class Domain {
 
   /// Compares the window with the neighbors', and returns a time before which it is right; see Comparison.
   double verify(std::span<const Outbox* const> inboxes, double until);
-  /// A time before which the window is right, as far as a neighbor and this domain both doubt where spheres
-  /// are. Precondition: all have verified.
+  /// A time before which the window is right with respect to spheres that may be wrong both here and in a
+  /// neighbor. Precondition: all have verified.
   double doubtful_since(std::span<const Outbox* const> inboxes) const;
 
-  /// Checks who owns and holds each own sphere; throws BrokenInvariant. Precondition: no window is under way.
-  /// Cost: O(n).
+  /// Checks the owner and the holders of each own sphere; throws BrokenInvariant. Precondition: no window is
+  /// under way. Cost: O(n).
   void validate() const;
 
   /// Goes back to the start of the window.
   void undo();
 
-  /// Takes the window, up to `moment`, as what has happened. Decides who owns and holds its spheres from then
-  /// on, and tells the neighbors.
+  /// Commits the window up to `moment`. Decides which domains own and hold its spheres from then on, and
+  /// sends that to the neighbors.
   void commit(const Time& moment);
 
   /// Makes the ghosts what their owners say, and lets spheres come and go. Precondition: all have committed.
@@ -183,7 +183,7 @@ class Domain {
   void watch(double horizon);
 
  private:
-  // Notes contacts as they happen.
+  // Records contacts as they happen.
   struct Notes {
     Domain& domain;
     void operator()(const Contact& contact) const { domain.note(contact); }
@@ -295,7 +295,7 @@ class Domain {
     residents_.prefetch(slot);
   }
 
-  // Decides who owns and holds an own sphere.
+  // Decides which domains own and hold an own sphere.
   void review(Slot slot);
   void hand_over(Slot slot, SphereId id, NeighborSet holders, std::uint32_t owner);
   void take_over(const Handover& handover);

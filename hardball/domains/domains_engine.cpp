@@ -18,7 +18,7 @@
 namespace hardball {
 namespace {
 
-// So many of the domains of a layout, from the one with number `first` on. `world` has the spheres as they
+// Makes `count` domains of a layout, from number `first` on. `world` has the spheres as they
 // are at `now`, at least all that these domains own or hold; `aftermath` is theirs.
 std::vector<std::unique_ptr<Domain>> make_domains(const Layout& layout, DomainNumber first, std::size_t count,
                                                   const World& world, const Time& now,
@@ -451,7 +451,7 @@ CollapseGuard DomainsEngine::own_counts() const {
   return own;
 }
 
-// From here on the world tells what is the case, until all is rebuilt.
+// From here on the world is the truth, until everything is rebuilt.
 void DomainsEngine::outdate() {
   if (is_outdated_) return;
   gather();
@@ -615,7 +615,7 @@ bool DomainsEngine::run_window(double end, std::uint64_t most, ContactSums& sums
   return true;
 }
 
-// Tells the observer of the contacts of the open window, without the world. Returns what it has thrown.
+// Calls the observer with the contacts of the open window, without the world. Returns what it has thrown.
 std::exception_ptr DomainsEngine::tell(const ContactObserver& observer) {
   std::exception_ptr failure;
   MergedLog log = cluster_->merged_log();
@@ -629,7 +629,7 @@ std::exception_ptr DomainsEngine::tell(const ContactObserver& observer) {
   return failure;
 }
 
-// Tells the observer of the contacts of the open window, with the world as it is after each.
+// Calls the observer with the contacts of the open window, and with the world as it is after each.
 bool DomainsEngine::deliver(ContactSums& sums, const ContactObserver& observer) {
   MergedLog log = cluster_->merged_log();
   is_open_ = true;

@@ -31,12 +31,12 @@ namespace hardball {
 class DomainsEngine final : public EngineBase {
  public:
   /// Divides a world as it is at `now`, which all processes have whole. `division` is that of each process.
-  /// Precondition: as for Engine; what_prevents_division() finds nothing. Error: the box is too small for so
-  /// many processes.
+  /// Precondition: as for Engine; what_prevents_division() finds nothing. Error: the box is too small for
+  /// this many processes.
   DomainsEngine(World world, const PhaseSettings& phase, const Division& division, const Time& now,
                 Processes& processes = one_process());
   /// Divides a system of which each process brings some of the spheres, wherever they are; all are brought
-  /// once. `empty`: the world without spheres. Precondition and error: likewise.
+  /// once. `empty`: the world without spheres. Precondition and error: as for the other constructor.
   DomainsEngine(World empty, Travelers brought, const PhaseSettings& phase, const Division& division,
                 const Time& now, Processes& processes);
   DomainsEngine(const DomainsEngine& other);
@@ -53,7 +53,7 @@ class DomainsEngine final : public EngineBase {
   Counters counters() const override;
   WindowCounters windows() const override { return windows_before_ + cluster_->window_counters(); }
   std::size_t memory_bytes() const override;
-  /// Those of the first domain.
+  /// The lengths of the first domain.
   PhaseLengths lengths() const override { return cluster_->domain(0).engine().lengths(); }
   std::vector<Block> blocks() const override;
   GasStatistics statistics(const Time& moment) const override;
@@ -107,7 +107,7 @@ class DomainsEngine final : public EngineBase {
   void divide(const Time& now);
   std::vector<Vec3> centers(const Time& now) const;
   void occupy(const World& world, const Aftermath& aftermath, const Time& now);
-  // The same for spheres of which each process has some.
+  // Lays out and occupies domains where each process brings some of the spheres.
   void lay_out(const Travelers& brought, const Time& now);
   void occupy(Travelers brought, const Time& now);
   Vec3 position_of(const Traveler& traveler, const Time& now) const;

@@ -15,7 +15,7 @@
 
 namespace hardball {
 
-/// Which domains are in which process: each has as many, and their numbers follow each other.
+/// Maps domains to processes: each process has the same number of domains, numbered consecutively.
 struct DomainsOfProcess {
   std::size_t each = 1;  ///< In each process.
 
@@ -28,9 +28,9 @@ class Exchange {
  public:
   /// What is sent at once: the parts of outboxes that are complete then.
   enum class Round {
-    window,   ///< Records and flights, when domains have run.
-    doubts,   ///< When they have verified.
-    arrivals  ///< And departures, handovers, new owners, when they have committed.
+    window,   ///< Records and flights, sent when domains have run.
+    doubts,   ///< Doubts, sent when domains have verified.
+    arrivals  ///< Arrivals, departures, handovers and new owners, sent when domains have committed.
   };
   /// A domain in this process, and its outbox to a neighbor, which stays where it is.
   struct Member {

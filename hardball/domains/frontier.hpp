@@ -84,7 +84,7 @@ class Frontier {
     }
     return holders;
   }
-  /// The neighbors that are to hold a sphere at this point that nobody holds yet.
+  /// The neighbors that are to hold a sphere at this point that none of them holds yet.
   NeighborSet holders_at(const Vec3& point) const {
     return block_.distance(point) < -halo_.outer() ? 0 : holders_at(distances(point), 0);
   }
@@ -140,8 +140,8 @@ class Frontier {
   /// Takes the alarms up to a time.
   void take_alarms(double until, std::vector<Alarm>& taken) { alarms_.take(until, taken); }
 
-  /// Notes a leg of an own sphere that these neighbors hold, and tells others whom it may concern. `end` are
-  /// the distances where it ends.
+  /// Records a leg of an own sphere that these neighbors hold, and sends it to others that it may concern.
+  /// `end` are the distances where it ends.
   void note(const Leg& leg, const Distances& end, NeighborSet holders, std::vector<Outbox>& outboxes) {
     const double begin = std::max(begin_, leg.begin);
     const double wait = leg.end - begin;
@@ -165,7 +165,8 @@ class Frontier {
 
   /// How far own spheres have been beyond the block in this window [L].
   double excursion() const { return excursion_; }
-  /// Since when an own sphere has been so far away that it may have met one not held [T].
+  /// The time since when an own sphere has been so far away that it may have touched one that is not held
+  /// [T].
   double far_since() const { return far_since_; }
   /// Within this distance of the block, spheres may have met own ones in this window [L].
   double guard() const { return (excursion_ + halo_.contact) * (1 + 0x1p-30); }

@@ -22,8 +22,8 @@ namespace hardball {
 /// a system decide alike.
 class Layout {
  public:
-  /// A layout of as many domains in each of so many processes as a division says. Precondition: neither
-  /// number is zero.
+  /// A layout of the domains of a division in each of `processes` processes. Precondition: neither number is
+  /// zero.
   explicit Layout(const Division& division, std::size_t processes = 1)
       : division_(division), processes_(processes) {}
 
@@ -36,9 +36,9 @@ class Layout {
   /// domain in each process would be too many. Cost: O(n log(domains)).
   void lay_out(const Box& box, const SystemSize& size, std::span<const Vec3> centers);
 
-  /// Whether it is time to look at the load, after so many windows since the last layout.
+  /// Whether it is time to review the load, this many windows after the last layout.
   bool is_review_due(std::uint64_t windows);
-  /// Whether another layout would pay after this load of so many spheres.
+  /// Whether another layout would pay, with this load and this number of spheres.
   bool may_improve(const Load& load, std::uint64_t spheres) const;
   /// Lays the system out by load: blocks with as many contacts each, and deeper halos if many windows fail.
   /// Returns false, and changes nothing, if a domain would have more neighbors than kMaxNeighbors.
@@ -55,7 +55,7 @@ class Layout {
   Partition partition_;
   Halo halo_;
   WindowSettings windows_;
-  std::uint64_t next_review_ = 0;  // after so many windows
+  std::uint64_t next_review_ = 0;  // in windows since the last layout
 };
 
 }  // namespace hardball

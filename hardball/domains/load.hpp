@@ -12,15 +12,15 @@
 
 namespace hardball {
 
-/// What the domains of a division have had to do since it was made, and whether another one would pay: by
-/// counts alone, so that all who share a system decide alike, in every run.
+/// The work of the domains since the layout was made, and whether another layout would pay. It is measured by
+/// counts alone, so that all processes decide alike, in every run.
 struct Load {
-  std::vector<std::uint64_t> contacts;  ///< Of own spheres, by domain.
+  std::vector<std::uint64_t> contacts;  ///< Contacts of own spheres, by domain.
   WindowCounters windows;
 
   /// How many more contacts all domains could have had while they waited for the one that has most.
   std::uint64_t waited() const;
-  /// Whether so much has been waited that dividing so many spheres evenly costs less.
+  /// Whether domains have waited so long that dividing this many spheres evenly costs less.
   bool is_uneven(std::uint64_t spheres) const;
   /// Whether so many windows fail that deeper halos cost less.
   bool has_shallow_halos() const;

@@ -41,7 +41,7 @@ class MergedLog {
     if (next_[log] == logs_[log].size()) return false;
     const LoggedContact& logged = head(log);
     if (logged.other_owner == LoggedContact::kNobody) return true;
-    // Of the two that have it, the domain that counts it tells.
+    // Two domains have the contact; it comes from the one that counts it.
     if (!logged.counts) return false;
     const std::size_t other = logged.other_owner;
     return next_[other] < logs_[other].size() && is_same(head(other).contact, logged.contact);

@@ -18,11 +18,12 @@ struct PathRecord {
   static constexpr SphereId kWall = std::numeric_limits<SphereId>::max();
 
   Path path;  ///< After the contact.
-  Vec3 spin;  ///< Likewise [1/T].
-  Time time;  ///< Of the contact.
+  Vec3 spin;  ///< Spin after the contact [1/T].
+  Time time;  ///< Time of the contact.
   SphereId sphere = 0;
-  SphereId partner = kWall;  ///< Whom the sphere met.
-  /// Whether that is an own sphere of the domain that is told, or that notes it of a ghost.
+  SphereId partner = kWall;  ///< The sphere that it touched, or kWall.
+  /// Whether the partner is an own sphere of the receiving domain, or of the domain that records a contact of
+  /// a ghost.
   bool is_partner_own = false;
 
   friend bool operator==(const PathRecord&, const PathRecord&) = default;
@@ -30,42 +31,42 @@ struct PathRecord {
 
 /// A part of a path that leads near a block, of a sphere that the block's domain does not hold.
 struct Flight {
-  double begin = 0;     ///< Of that part [T].
+  double begin = 0;     ///< When that part begins [T].
   double distance = 0;  ///< From the block then [L].
   double speed = 0;     ///< The largest component of the velocity then [L/T].
   double least = 0;     ///< No point of the part is nearer to the block [L].
 };
 
-/// Where a sphere is that differs in two domains, from the last change on which they agree to the end of the
-/// window: in a cube.
+/// A cube that contains a sphere whose path differs in two domains, from the last change on which they agree
+/// to the end of the window.
 struct Doubt {
-  double since = 0;   ///< When they began to differ [T].
+  double since = 0;   ///< When the paths began to differ [T].
   Vec3 center;        ///< [L]
   double extent = 0;  ///< Half the edge of the cube [L].
 };
 
-/// A sphere that a domain is to hold, and who owns it.
+/// A sphere that a domain is to hold, and its owner.
 struct Arrival {
   SphereState sphere;
   DomainNumber owner = 0;
 };
 
-/// A sphere has a new owner.
+/// The new owner of a sphere.
 struct NewOwner {
   SphereId sphere = 0;
   DomainNumber owner = 0;
 };
 
-/// A sphere is yours: these domains hold it, besides you.
+/// A sphere that the receiving domain owns from here on, and the other domains that hold it.
 struct Handover {
   SphereState sphere;
   std::vector<DomainNumber> holders;
   std::uint32_t idle_contacts = 0;  ///< See CollapseGuard.
 };
 
-/// What one domain tells another in a window.
+/// The messages of one domain to another in a window.
 struct Outbox {
-  std::vector<PathRecord> records;  ///< Of own spheres that the other holds, in the order of time.
+  std::vector<PathRecord> records;  ///< Own spheres that the other domain holds, in the order of time.
   std::vector<Flight> flights;
   std::vector<Doubt> doubts;  ///< About spheres that the other owns.
   std::vector<SphereId> departures;

@@ -23,9 +23,9 @@ class Partition {
   /// Equal parts along each axis, of the box, or along axes without ends of what the centers [L] take up.
   static Partition grid(const Box& box, const std::array<std::size_t, kAxes>& parts,
                         std::span<const Vec3> centers);
-  /// This number of blocks that hold about equally many of these centers [L]. They are cut in two again and
-  /// again, across the longest edge of what the centers take up. Precondition: `count` is not zero. Cost: O(n
-  /// log(count)).
+  /// Cuts the box into `count` blocks that hold about equally many of these centers [L]. Blocks are halved
+  /// again and again, across the longest edge of what the centers take up. Precondition: `count` is not zero.
+  /// Cost: O(n log(count)).
   static Partition bisection(const Box& box, std::size_t count, std::span<const Vec3> centers);
 
   std::size_t size() const { return blocks_.size(); }

@@ -11,18 +11,20 @@ namespace hardball {
 /// The processors on which the calling thread may run, by number; empty where that cannot be found out.
 std::vector<int> available_processors();
 
-/// Those of so many available processors that one of a team of threads is to run on: no other thread of the
-/// team runs on them. Several, if there are more than threads, so that the operating system can choose one
-/// that other processes leave alone. Precondition: there are at least as many processors as threads.
+/// The available processors on which one of a team of threads is to run; no other thread of the team runs on
+/// them. If there are more processors than threads, a thread gets several, so that the operating system can
+/// choose one that other processes leave alone. Precondition: there are at least as many processors as
+/// threads.
 std::vector<int> processors_of_thread(const std::vector<int>& available, std::size_t threads,
                                       std::size_t number);
 
-/// How many processors this process may use that nothing has kept busy in the last minute, as a quota that a
-/// container sets and the load of the machine say; at least one.
+/// The number of idle processors that this process may use, from the one-minute load average and the quota of
+/// a container; at least one.
 std::size_t free_processors();
 
-/// How many processors a quota of Linux allows, as written in its file cpu.max: microseconds in each period
-/// of so many, or "max". At least one; as many as there are if there is no quota, or the text is none.
+/// The number of processors that a quota of Linux allows, from the text of its file cpu.max: microseconds in
+/// each period and the length of the period, or "max". At least one; all processors if there is no quota, or
+/// the text is not one.
 std::size_t processors_by_quota(std::string_view text, std::size_t processors);
 
 }  // namespace hardball

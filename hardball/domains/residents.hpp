@@ -29,7 +29,7 @@ class SlotBits {
     std::uint64_t& word = words_[slot / kBits];
     word = value ? word | bit : word & ~bit;
   }
-  /// Has bits for so many slots, and perhaps more; new ones are not set.
+  /// Makes room for this many bits, and perhaps more; new bits are not set.
   void grow_to(std::size_t slots) {
     if (words_.size() * kBits < slots) words_.resize((slots + kBits - 1) / kBits);
   }
@@ -50,13 +50,13 @@ class SlotBits {
   std::vector<std::uint64_t> words_;
 };
 
-/// What the spheres that a domain holds are to it: its own, or ghosts, of which another domain is the owner.
+/// The role of each sphere that a domain holds: its own, or a ghost, which another domain owns.
 class Residents {
  public:
   struct Ghost {
     SphereId sphere = 0;
     std::uint32_t owner = 0;  ///< The number of the neighbor.
-    Slot slot = 0;            ///< Where it is stored.
+    Slot slot = 0;            ///< Slot of the ghost.
   };
 
   bool is_own(Slot slot) const { return !is_shared(slot) || (roles_[slot] & kGhost) == 0; }
@@ -81,7 +81,7 @@ class Residents {
 
   /// The state of a sphere has changed, or will.
   void note_change(Slot slot) { have_changed_.set(slot, true); }
-  /// Calls visit(slot) for every own sphere of which a change was noted since the last call.
+  /// Calls visit(slot) for every own sphere of which a change was recorded since the last call.
   template <class Visit>
   void take_changes(Visit&& visit) {
     have_changed_.take_all([&](Slot slot) {
@@ -89,7 +89,7 @@ class Residents {
     });
   }
 
-  /// Leaves room for so many and some more.
+  /// Leaves room for this many and some more.
   void reserve(std::size_t count) {
     const std::size_t all = count + count / 16;
     roles_.reserve(all);
@@ -162,7 +162,7 @@ class Residents {
   }
 
   LargeVector<std::uint32_t> roles_;  // by slot: holders, or the number of the ghost with its mark
-  SlotBits are_shared_;               // whether the role is not zero: most spheres concern nobody else
+  SlotBits are_shared_;               // whether the role is not zero: most spheres concern no other domain
   SlotBits have_changed_;
   std::vector<Ghost> ghosts_;
   std::vector<std::uint32_t> free_numbers_;

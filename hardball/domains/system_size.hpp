@@ -17,7 +17,7 @@ namespace hardball {
 /// What the depth of halos and the length of windows follow from. Its parts may be in several places.
 struct SystemSize {
   std::uint64_t spheres = 0;
-  double speeds = 0;   ///< Their sum [L/T].
+  double speeds = 0;   ///< Sum of the speeds of all spheres [L/T].
   double contact = 0;  ///< The largest distance of two centers at a contact [L].
 
   /// The size of a world as it is at `moment`. Cost: O(n).
@@ -40,8 +40,9 @@ struct SystemSize {
   }
 
   Halo halo(const Division& division) const { return {division.halo * contact, 0.5 * contact, contact}; }
-  /// For so many domains. Small ones have longer windows: in a few contacts neither does what a window costs
-  /// by itself pay, nor are all domains done at the same time. But longer windows fail more often.
+  /// The windows for this many domains. Small domains have longer windows: with few contacts, the fixed cost
+  /// of a window does not pay, and domains do not finish at the same time. But longer windows fail more
+  /// often.
   WindowSettings windows(const Division& division, std::size_t domains) const {
     constexpr double kContactsOfDomain = 256;
     constexpr double kLongest = 2;

@@ -15,8 +15,8 @@
 namespace hardball {
 namespace {
 
-// A pause takes some 40 to 140 cycles, so together .05 to .3 ms: longer than the way from one step of a
-// window to the next takes, if nobody is late.
+// A pause takes some 40 to 140 cycles, so together .05 to .3 ms: longer than it takes to get from one step of
+// a window to the next, if no thread is late.
 constexpr int kSpins = 4000;
 
 void pause() {

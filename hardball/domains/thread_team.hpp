@@ -13,12 +13,12 @@
 
 namespace hardball {
 
-/// Some threads that share work, the caller's among them, no two on the same processor if there are enough.
+/// Threads that share work, the caller's among them, no two on the same processor if there are enough.
 ///
-/// Who waits long gives its processor away: on a busy machine the others may need it.
+/// A thread that waits long yields its processor, which others may need on a busy machine.
 class ThreadTeam {
  public:
-  /// Precondition: `threads` is not zero. Error: the system does not start so many.
+  /// Precondition: `threads` is not zero. Error: the system does not start that many.
   explicit ThreadTeam(std::size_t threads);
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;

@@ -6,10 +6,11 @@ namespace hardball {
 
 /// How long windows are.
 struct WindowSettings {
-  double contacts = 1000;       ///< The target number in a window, of all domains together.
-  double more_contacts = 1000;  ///< The same where spheres fly less than a tenth of a diameter meanwhile.
-  double first = 1;             ///< The length of the first window [T].
-  double flight = 1;            ///< In which a sphere of mean speed flies by the largest diameter [T].
+  double contacts = 1000;  ///< The target number in a window, of all domains together.
+  /// The target number where spheres fly less than a tenth of a diameter in a window.
+  double more_contacts = 1000;
+  double first = 1;   ///< The length of the first window [T].
+  double flight = 1;  ///< The time in which a sphere of mean speed flies the largest diameter [T].
 };
 
 }  // namespace hardball

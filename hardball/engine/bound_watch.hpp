@@ -6,8 +6,8 @@
 
 namespace hardball {
 
-/// Notices when bounds do not tell which contact of a sphere is the first, as where gaps are smaller than the
-/// errors of single precision: near close packing, and among spheres at rest that touch. Then it pays to
+/// Notices when bounds do not decide which contact of a sphere is the first, as where gaps are smaller than
+/// the errors of single precision: near close packing, and among spheres at rest that touch. Then it pays to
 /// compute contacts exactly at once, and to try bounds again later.
 class BoundWatch {
  public:
@@ -20,7 +20,7 @@ class BoundWatch {
     if (ambiguous_ > kMaxAmbiguous) exact_left_ = kWindowsWithout * kWindow;
     bounded_ = ambiguous_ = 0;
   }
-  /// A bound did not tell, so that all contacts of a sphere were computed exactly.
+  /// Records that a bound did not decide, so that all contacts of a sphere were computed exactly.
   void note_ambiguous() { ++ambiguous_; }
   /// A prediction was exact because bounds do not pay.
   void note_exact() { --exact_left_; }

@@ -187,7 +187,7 @@ class Engine final : public EngineBase {
     predict_all(forecast_, queue_, slots);
   }
 
-  /// See put.hpp. Precondition: likewise.
+  /// See put.hpp. Precondition: as for put.
   void put_on_paths(std::span<const NewPath> paths, const Time& moment) {
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
@@ -196,7 +196,7 @@ class Engine final : public EngineBase {
     if (!is_outdated_) predict_all(forecast_, queue_, slots);
   }
 
-  /// Where the spheres of the last contact are stored. Precondition: they have not merged.
+  /// The slots of the spheres of the last contact. Precondition: they have not merged.
   const Participants& participants() const { return participants_; }
 
   bool is_outdated() const override { return is_outdated_; }
@@ -224,7 +224,7 @@ class Engine final : public EngineBase {
     undo(EngineJournal::kLongAgo, journal_.begin_time());
   }
 
-  /// As EngineBase has it; puts spheres into an order that is good for caches.
+  /// Rebuilds the engine (see EngineBase), and puts spheres into an order that is good for caches.
   void rebuild(const Time& now, const PhaseSettings& settings) override {
     if (settings.kind != PhaseKind::all_pairs) put_in_order(forecast_.world(), now);
     rebuild_in_place(now, settings);
@@ -252,7 +252,7 @@ class Engine final : public EngineBase {
     for (Slot slot = 0; slot < world().size(); ++slot) queue_.schedule(slot, forecast_);
   }
 
-  // Whose event is the least, if it comes no later than `until`; otherwise kNoOwner.
+  // The owner of the least event, if it comes no later than `until`; otherwise kNoOwner.
   Slot least_until(const Time& until) {
     const Slot next = queue_.least(forecast_);
     return next == kNoOwner || forecast_.time(next) > until.high ? kNoOwner : next;

@@ -36,12 +36,12 @@ class EngineBase {
   /// An independent copy.
   virtual std::unique_ptr<EngineBase> clone() const = 0;
 
-  /// All spheres as they are. In several domains they are gathered when this is called. Cost, then:
+  /// The world with all its spheres. In several domains they are gathered when this is called. Cost, then:
   /// O(contacts since the last call), at first O(n); memory for all spheres.
   virtual const World& world() const = 0;
   /// The world for editing between runs; unless only the responses change, `rebuild` must follow.
   virtual World& world_to_edit() = 0;
-  /// The world, in which spheres need not be as they are, nor be there: box, walls, interactions and motion.
+  /// The world with its box, walls, interactions and motion; its spheres may be missing or out of date.
   virtual const World& setting() const { return world(); }
   virtual std::size_t size() const { return world().size(); }
   /// The time up to which events have been handled.
@@ -76,7 +76,7 @@ class EngineBase {
     one_by_one(count, work);
   }
 
-  /// Handles events in order up to the first of the limits, adds all contacts to `sums`, and tells the
+  /// Handles events in order up to the first of the limits, adds all contacts to `sums`, and calls the
   /// observer, if there is one. Spheres that have merged merge at once with those that they overlap, if the
   /// response does so. The observer may call change_velocities, `add` and `remove`, and stops the run by
   /// returning false. Error: RunFailure on inelastic collapse; whatever the response or the observer throws.

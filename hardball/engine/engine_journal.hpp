@@ -38,7 +38,7 @@ class EngineJournal {
     events_.clear();
     merged_.clear();
   }
-  /// Whether it is possible to go back to `moment` by what has been noted.
+  /// Whether the journal reaches back to `moment`.
   bool reaches(const Time& moment) const { return is_kept_ && begin_ <= moment && !(last_rebuild_ > moment); }
   /// Whether all of the journal can be undone so.
   bool reaches_begin() const { return is_kept_ && last_rebuild_ == kLongAgo; }

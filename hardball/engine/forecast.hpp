@@ -159,14 +159,14 @@ class Forecast {
     predict_exactly(slot);
   }
 
-  /// Takes note that a sphere's path has changed, its center folded back by `folded` boxes.
+  /// Records that a sphere's path has changed, its center folded back by `folded` boxes.
   void note_new_path(Slot slot, const Image& folded) {
     phase_->refresh(world_, slot, now_, folded);
     note_revision(slot);
     compact_.copy(world_, slot, now_);
   }
 
-  /// Takes note that a sphere is on another path, perhaps elsewhere. It remains to be predicted.
+  /// Records that a sphere is on another path, perhaps elsewhere. It is not predicted yet.
   void note_moved(Slot slot);
 
   /// Predicts a sphere's contacts with its candidates and the walls, and its crossing. Precondition: its path
@@ -284,7 +284,7 @@ class Forecast {
                                : images_[slot];
   }
 
-  // The same, and those that are.
+  // Collects the candidates of a sphere, and apart from them those that are inside of a step with it.
   void collect(Slot slot, Candidates& candidates, StepCandidates& pairs) const {
     phase_.visit([&](const auto& phase) { phase.collect(world_, slot, candidates); });
     if (has_excluded_) [[unlikely]]
@@ -312,7 +312,8 @@ class Forecast {
     images_[slot] = kept_image;
   }
 
-  // The same where nearest images are meant, by bounds; false if all candidates must be considered again.
+  // Predicts contacts with new candidates, which mean nearest images, by bounds; false if all candidates must
+  // be considered again.
   bool predict_new(Slot slot) {
     Plan& own = mutable_plan(slot);
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
@@ -328,7 +329,7 @@ class Forecast {
     } else if (own.is_bound()) {
       own.lower_safe_until(found.least);
     } else if (found.least == own.contact() && found.least < kNever.high) {
-      // Which is earlier the bound cannot tell.
+      // The bound does not decide which is earlier.
       own.set_bound(found.least, found.least, found.partner, compact_.revision(found.partner));
     }
     return true;
@@ -349,7 +350,7 @@ class Forecast {
     }
   }
 
-  // The same, where bounds do not tell which contact is the first. Precondition: likewise.
+  // Predicts all contacts of a sphere exactly, where bounds do not decide which is the first.
   void predict_exactly(Slot slot) {
     collect(slot, candidates_, step_candidates_);
     counters_.predictions += candidates_.size();

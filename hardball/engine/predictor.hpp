@@ -26,7 +26,7 @@ struct BoundedContacts {
   bool happens() const { return least < kNever.high; }
 };
 
-/// Those of the same sphere with all others, given with two sets that have none in common.
+/// The bounded contacts of a sphere with the union of two disjoint sets of others.
 inline BoundedContacts all_of(const BoundedContacts& some, const BoundedContacts& others) {
   return some.least <= others.least
              ? BoundedContacts{some.least, std::min(some.second, others.least), some.partner}
@@ -63,7 +63,7 @@ struct PairContacts {
 struct PredictedContact {
   Time time = kNever;
   Slot partner = 0;
-  Image image;  ///< Of the partner; unused if candidates mean the nearest image.
+  Image image;  ///< Image of the partner; unused if candidates mean the nearest image.
 
   bool happens() const { return time.high < std::numeric_limits<double>::infinity(); }
 };
@@ -217,7 +217,7 @@ class Predictor {
             candidates.slots()[BoundKeys::index(keys.first)]};
   }
 
-  // The same for a sphere too fast to be bounded, and for many candidates.
+  // The bounded contacts of a sphere that is too fast to be bounded, or has many candidates.
   BoundedContacts bound_with_care(const CompactPaths& copies, const Candidates& candidates,
                                   const Time& now) const;
 

@@ -15,8 +15,8 @@ namespace hardball {
 /// Prefetches what the next events need, as the calendar knows which spheres come next.
 class Prefetching {
  public:
-  /// To be called before every event. `observe` is told of contacts; what it needs for that is prefetched by
-  /// observe.prefetch(slot), if it has such a member.
+  /// To be called before every event. `observe` is called with contacts; observe.prefetch(slot), if it has
+  /// that member, prefetches what it needs.
   template <class Queue, class Observe>
   void prefetch_ahead(const Forecast& forecast, const Queue& queue, const Observe& observe) {
     if constexpr (requires { queue.upcoming(0); }) {

@@ -13,7 +13,7 @@
 
 namespace hardball {
 
-/// Where a sphere flies, and how it spins [1/T], according to another world with the same box.
+/// The path and the spin [1/T] of a sphere according to another world with the same box.
 struct NewPath {
   Slot slot = 0;
   Path path;

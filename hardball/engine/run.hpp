@@ -15,12 +15,12 @@
 
 namespace hardball {
 
-/// Where a run stops: at whichever limit comes first.
+/// The limits of a run, which stops at whichever comes first.
 struct RunLimits {
   /// Events at exactly this time still happen: all whose time rounds to the same double.
   Time until = kNever;
   std::uint64_t contacts = std::numeric_limits<std::uint64_t>::max();
-  /// Events of any kind, stale ones included, velocities changed by a thermostat, and samples of measures: a
+  /// Steps: all events, stale ones included, velocities changed by a thermostat, and samples of measures. A
   /// bound on the work.
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
   /// Whether to stop: asked by Simulation at the start and some hundred times a second, between events, in
@@ -45,20 +45,20 @@ enum class RunStatus {
   steps_reached,     ///< RunLimits::steps have been taken.
   stopped,           ///< RunLimits::stop asked for it.
   observer_stopped,  ///< The observer asked for it.
-  outdated,          ///< Of engines: a sphere does not fit their structures, and `rebuild` must follow.
+  outdated,          ///< A sphere does not fit the structures of the engine, and `rebuild` must follow.
 };
 
-/// Who is told of the contacts of a run, in their order.
+/// An observer of the contacts of a run, called in their order.
 struct ContactObserver {
-  /// Returns whether the run continues; empty if nobody is told.
+  /// Called with each contact; returns whether the run continues. Empty for no observer.
   Function<bool(const Contact&)> note = {};
-  /// Whether it may look at the world or at sums over contacts, or stop the run. If not, it is told of
-  /// contacts when others have happened already, which costs less where there are several domains, and if it
-  /// throws, the run ends after them.
+  /// Whether it may look at the world or at sums over contacts, or stop the run. If not, it is called when
+  /// later contacts may have happened already, which costs less in several domains; if it throws, the run
+  /// ends after those.
   bool looks_around = true;
 
   explicit operator bool() const { return static_cast<bool>(note); }
-  /// Whether somebody is told who may look around.
+  /// Whether there is an observer that may query the world.
   bool needs_world() const { return note && looks_around; }
 };
 
@@ -83,8 +83,8 @@ struct Counters {
   std::uint64_t leave = 0;
   std::uint64_t stale = 0;                ///< Predictions made again because a partner's path had changed.
   std::uint64_t predictions = 0;          ///< Candidates bounded or computed, with repetitions and padding.
-  std::uint64_t contact_predictions = 0;  ///< Of these, those made after contacts.
-  std::uint64_t enter_predictions = 0;    ///< Of these, those made after crossings.
+  std::uint64_t contact_predictions = 0;  ///< Predictions made after contacts.
+  std::uint64_t enter_predictions = 0;    ///< Predictions made after crossings.
   std::uint64_t queue_operations = 0;     ///< Entries inserted into the queue or removed.
   std::uint64_t rebuilds = 0;             ///< How often all regions and predictions were rebuilt.
 

@@ -17,7 +17,7 @@ namespace hardball {
 class StandstillGuard {
  public:
   /// To be called before every crossing and contact, at `next`, when the event before was at `now`. Error
-  /// (RunFailure): far more events at one time than so many spheres can have, collapsing ones included.
+  /// (RunFailure): far more events at one time than this many spheres can have, collapsing ones included.
   void note_event(const Time& now, const Time& next, std::size_t spheres) {
     if (now.high < next.high) [[likely]] {
       events_ = 0;

@@ -17,7 +17,7 @@ namespace hardball {
 /// steps, as kernels read them: padded to a whole vector.
 class StepCandidates {
  public:
-  /// Those of the sphere in `slot`, without distances.
+  /// Collects the candidates of the sphere in `slot`, without distances.
   void collect(const World& world, Slot slot) {
     pairs_ = world.pair_levels().of(slot);
     if (slots_.size() < size() + kWidestVector) {

@@ -10,7 +10,7 @@ namespace hardball {
 struct WindowCounters {
   std::uint64_t windows = 0;  ///< Committed, single steps included.
   std::uint64_t failed = 0;   ///< Undone, as a domain was wrong.
-  std::uint64_t steps = 0;    ///< Of at most one contact, where no window was short enough.
+  std::uint64_t steps = 0;    ///< Windows of at most one contact, where no window was short enough.
 
   friend WindowCounters operator+(const WindowCounters& a, const WindowCounters& b) {
     return {a.windows + b.windows, a.failed + b.failed, a.steps + b.steps};

@@ -16,7 +16,7 @@
 #define HARDBALL_SOURCE "build"
 #endif
 
-// Options that compilers tell of.
+// Options that compilers report in macros.
 #if defined(__FAST_MATH__)
 #define HARDBALL_INEXACT_OPTION "-ffast-math"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__

@@ -20,7 +20,7 @@ inline constexpr Owner kNoOwner = std::numeric_limits<Owner>::max();
 
 /// An entry of a queue.
 struct QueueEntry {
-  double time = 0;  ///< Of the owner's event, to the nearest double [T].
+  double time = 0;  ///< Time of the owner's event, to the nearest double [T].
   Owner owner = 0;
 };
 

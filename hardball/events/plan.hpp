@@ -11,9 +11,9 @@ namespace hardball {
 
 /// What comes next for a sphere: its crossing, and its planned contact.
 ///
-/// A planned contact is exact, with a sphere or a wall; or a bound, before which the sphere meets nobody, and
-/// a time until which it is safe from all but its partner; or, if there is no partner, a time before which
-/// nothing happens and after which nothing is known.
+/// A planned contact is exact, with a sphere or a wall; or a bound, before which the sphere touches nothing,
+/// and a time until which it is safe from all but its partner; or, if there is no partner, a time before
+/// which nothing happens and after which nothing is known.
 class alignas(32) Plan {
  public:
   /// Revisions of paths are multiples of it.
@@ -25,7 +25,7 @@ class alignas(32) Plan {
   double contact() const { return contact_; }
   /// [T], or any time after the contact.
   double crossing() const { return crossing_; }
-  /// Of a bound: no contact comes before it but with the partner [T].
+  /// The safe-until time of a bound: no contact comes before it but with the partner [T].
   double safe_until() const { return safe_until_or_low_; }
   /// The time of a contact.
   Time contact_time() const { return {contact_, safe_until_or_low_}; }
@@ -41,7 +41,7 @@ class alignas(32) Plan {
   bool meets_wall() const { return (tag_ & kKind) == (kExact | kNoPartner); }
   /// Whether the planned contact is a bound of the contact with a partner.
   bool is_bounded_pair() const { return (tag_ & kKind) == 0; }
-  /// Whether all that is known is that nothing happens before.
+  /// Whether only a time is known before which nothing happens.
   bool is_unknown() const { return (tag_ & kKind) == kNoPartner; }
   /// Whether the crossing only copies the path again.
   bool is_renewal() const { return (tag_ & kRenewal) != 0; }
@@ -63,7 +63,7 @@ class alignas(32) Plan {
   void set_wall(const Time& time, std::uint32_t wall) {
     set_bound(time.high, time.low, wall, kExact | kNoPartner);
   }
-  /// Nothing happens before `time`. The crossing stays what it is.
+  /// Sets a bound without a partner: nothing happens before `time`. The crossing does not change.
   void set_unknown(double time) { set_bound(time, time, 0, kNoPartner | (tag_ & kRenewal)); }
   /// Replaces a bound by the contact with the partner; returns false if that may not be the earliest, and
   /// then the bound stays.
@@ -74,7 +74,7 @@ class alignas(32) Plan {
     tag_ |= kExact;
     return true;
   }
-  /// Others may be met from `time` on. Precondition: a bound.
+  /// Lowers the safe-until time: other candidates may be met from `time` on. Precondition: a bound.
   void lower_safe_until(double time) { safe_until_or_low_ = std::min(safe_until_or_low_, time); }
   void set_crossing(double time) {
     crossing_ = time;

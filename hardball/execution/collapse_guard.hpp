@@ -59,7 +59,7 @@ class CollapseGuard {
     idle_contacts_.insert(other.idle_contacts_.begin(), other.idle_contacts_.end());
   }
 
-  /// From now on notes what is needed to rewind to this moment or a later one.
+  /// Records from here on what is needed to rewind to this moment or a later one.
   void begin_journal() {
     changes_.clear();
     has_journal_ = true;

@@ -104,7 +104,7 @@ void undo_approach_of_spheres(const World& world, Contact& contact) {
   contact.after = settled;
 }
 
-// What a contact tells of spins and species, and whether the spheres pass through each other. Precondition:
+// Sets the spins and species of a contact, and whether the spheres pass through each other. Precondition:
 // the spheres' masses are set.
 void describe_traits(const World& world, const Participants& participants, Contact& contact) {
   const bool is_collision = contact.is_collision();
@@ -128,7 +128,7 @@ void describe_growth(const Growth& growth, Contact& contact) {
   contact.second_radius *= scale;
 }
 
-// What a contact tells of its wall, and the wall's velocity. Precondition: time and position are set.
+// Sets what a contact says of its wall, and the wall's velocity. Precondition: time and position are set.
 void describe_wall(const World& world, std::uint32_t wall, Contact& contact, Vec3& velocity) {
   if (wall < kFaces) {
     const std::size_t axis = axis_of(wall);

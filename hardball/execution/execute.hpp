@@ -24,7 +24,7 @@ struct Executed {
   bool may_turn = false;
 };
 
-/// Where the spheres of a collision or wall event are stored; of a wall event, only the first counts.
+/// The slots of the spheres of a collision or wall event; of a wall event, only the first counts.
 struct Participants {
   Slot first = 0;
   Slot second = 0;
@@ -83,7 +83,7 @@ inline void settle(const World& world, Contact& contact, const Participants& par
   undo_approach(world, contact, participants);
 }
 
-/// Tells what two spheres with a potential of steps have come to: the step or the core, its distance, and
+/// Sets what two spheres with a potential of steps have come to: the step or the core, its distance, and
 /// whether they pass. Precondition: there are potentials of steps; the contact is a collision described
 /// otherwise.
 void describe_step(const World& world, const Participants& participants, Executed& done);
@@ -120,7 +120,7 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
     if (is_collision) describe_step(world, participants, done);
     if (contact.step.happens()) return execute_at_step(world, participants, done);
   }
-  done.may_turn = true;  // until the response tells otherwise, and if it throws
+  done.may_turn = true;  // until the response decides otherwise, and if it throws
   if (world.motion().has_growth()) [[unlikely]] {
     decide_between_surfaces(world.interactions(), contact);
     done.may_turn = false;
@@ -155,7 +155,7 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
 inline bool merge_if_decided(World& world, const Event& collision, const Participants& participants,
                              Executed& done) {
   contact_at(world, collision, participants, done);
-  done.may_turn = true;  // until the response tells otherwise, and if it throws
+  done.may_turn = true;  // until the response decides otherwise, and if it throws
   done.may_turn = world.interactions().decide(done.contact);
   if (done.contact.outcome != ContactOutcome::merge) return false;
   merge(world, done.contact, participants);

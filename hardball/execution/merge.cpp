@@ -37,7 +37,7 @@ void merge(World& world, Contact& contact, const Participants& participants) {
                      to_text(contact.time.value()) + "; enlarge the box, or end the run before this time");
   }
   const bool is_kinematic = std::isinf(mass);
-  // How much of the merged sphere is the second; a kinematic one stays as it is but for its size.
+  // The share of the second in the merged sphere; of a kinematic sphere only the size changes.
   const double weight = is_kinematic ? (std::isinf(contact.second_mass) ? 1 : 0) : contact.second_mass / mass;
   const double inertia_factor =
       contact.first_inertia_factor + weight * (contact.second_inertia_factor - contact.first_inertia_factor);

@@ -54,7 +54,7 @@ HARDBALL_ALWAYS_INLINE Number time_to_reach(const VectorOf<Number>& separation,
   return select(grazes, grazing_time_to_reach(separation, velocity, reach), wait);
 }
 
-/// The same for one pair, compiled once.
+/// The time until two centers in uniform relative motion are `reach` [L] apart, compiled once.
 HARDBALL_EXPORT double time_to_reach(const Vec3& separation, const Vec3& velocity, double reach);
 
 /// The time until a point at signed distance `distance` [L] from a plane, moving toward it with `speed`
@@ -77,7 +77,7 @@ HARDBALL_ALWAYS_INLINE StateOf<Number> relative_state_at(const AnyMotion& motion
   return {(of_b.position - of_a.position) + shift, of_b.velocity - of_a.velocity};
 }
 
-/// Its position: the separation [L].
+/// The relative position of `b` and `a` at `moment` [L].
 inline Vec3 separation_at(const Motion& motion, const Path& a, const Path& b, const Vec3& shift,
                           const Time& moment) {
   return relative_state_at(motion, a, b, shift, moment).position;
@@ -98,9 +98,9 @@ HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time(const AnyMotion& motion, cons
   return after(start, time_to_reach(relative.position, relative.velocity, reach));
 }
 
-/// The same where sizes change, `reach` [L] being the sum of the base radii: a function of the two paths and
-/// of the epoch alone, computed from the latest of their start times. A contact after the end of the epoch is
-/// none.
+/// The contact time of two spheres whose sizes change, `reach` [L] being the sum of the base radii. It is a
+/// function of the two paths and of the epoch alone, computed from the latest of their start times. A contact
+/// after the end of the epoch does not count.
 template <class Number>
 HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time(const GrowingMotion<Number>& motion,
                                                    const PathOf<Number>& a, const PathOf<Number>& b,
@@ -113,7 +113,8 @@ HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time(const GrowingMotion<Number>& 
                                                  reach * motion.scale_at(start), reach * motion.rate}));
 }
 
-/// The same in a sheared box with these periods [L]: `image`, integers, is that of `b` which `a` meets.
+/// The contact time of two spheres in a sheared box with these periods [L]; `image`, integers, is that of `b`
+/// which `a` meets.
 template <class Number>
 HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time_of_sliding(
     const SlidingImages& images, const VectorOf<Number>& period, const PathOf<Number>& a,
@@ -125,11 +126,13 @@ HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time_of_sliding(
   return after(start, time_to_reach(relative.position, relative.velocity, reach));
 }
 
-/// The same where sizes change, compiled once.
+/// The contact time of two spheres whose sizes change, compiled once; `reach` [L] is the sum of the base
+/// radii.
 HARDBALL_EXPORT Time contact_time_of_growing(const Growth& growth, const Path& a, const Path& b,
                                              const Vec3& shift, double reach);
 
-/// The same for any motion; where sizes change, `reach` is the sum of the base radii [L].
+/// The contact time of two spheres in any motion; where sizes change, `reach` is the sum of the base radii
+/// [L].
 HARDBALL_ALWAYS_INLINE Time contact_time(const Motion& motion, const Path& a, const Path& b,
                                          const Vec3& shift, double reach) {
   if (motion.has_growth()) [[unlikely]]

@@ -41,7 +41,8 @@ HARDBALL_ALWAYS_INLINE DoubleDouble<Number> product(const Number& a, const Numbe
   return {high, multiply_subtract(a, b, high)};
 }
 
-/// The same number with the double nearest to it as its high part. Precondition: |low| is at most |high|.
+/// The sum of two doubles with the double nearest to it as its high part. Precondition: |low| is at most
+/// |high|.
 template <class Number>
 HARDBALL_ALWAYS_INLINE DoubleDouble<Number> normalized(const Number& high, const Number& low) {
   const Number nearest = high + low;

@@ -37,8 +37,9 @@ HARDBALL_ALWAYS_INLINE Number approach_to_106_bits(const VectorOf<Number>& r, co
   return sum_of_three(product(r.x, v.x), product(r.y, v.y), product(r.z, v.z)).high;
 }
 
-/// As kGrazingCosineSquared (grazing_time.hpp), for exits [1]: an error of the discriminant shows in the
-/// time, by no more than sixteen times as much, and not in the distance at that time.
+/// The bound for exits that corresponds to kGrazingCosineSquared (grazing_time.hpp) [1]: an error of the
+/// discriminant shows in the time, by no more than sixteen times as much, and not in the distance at that
+/// time.
 inline constexpr double kGrazingExitCosineSquared = 1.0 / 256;
 
 /// The time until two points that are within `reach` [L] of each other, and whose separation [L] changes with

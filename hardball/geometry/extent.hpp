@@ -16,7 +16,7 @@ struct Extent {
   Vec3 low{-kInfinity, -kInfinity, -kInfinity};  ///< [L]
   Vec3 high{kInfinity, kInfinity, kInfinity};    ///< [L]
 
-  /// With all that is so near [L].
+  /// The extent with everything within this distance [L].
   Extent grown(double distance) const {
     const Vec3 all{distance, distance, distance};
     return {low - all, high + all};

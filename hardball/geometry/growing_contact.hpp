@@ -14,9 +14,9 @@ namespace hardball {
 template <class Number>
 struct GrowingPair {
   VectorOf<Number> separation;  ///< [L]
-  VectorOf<Number> velocity;    ///< Its rate [L/T].
+  VectorOf<Number> velocity;    ///< Rate of the separation [L/T].
   Number reach;                 ///< The sum of the radii [L].
-  Number growth;                ///< Its rate [L/T].
+  Number growth;                ///< Rate of the reach [L/T].
 };
 
 /// Half the rate at which the squared distance of two centers changes, less half that of the squared reach

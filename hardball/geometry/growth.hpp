@@ -19,7 +19,7 @@ struct Growth {
   Time begin;         ///< [T]
   Time end = kNever;  ///< Finite where the rate is not zero [T].
   double scale = 1;   ///< At the begin [1].
-  double rate = 0;    ///< Of the scale; negative where spheres shrink [1/T].
+  double rate = 0;    ///< Rate of the scale; negative where spheres shrink [1/T].
 
   /// Whether radii differ from base radii, or change.
   bool is_present() const { return scale != 1 || rate != 0; }

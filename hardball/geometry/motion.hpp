@@ -12,8 +12,8 @@
 
 namespace hardball {
 
-/// Where a center is at some moment, and how fast it moves; or one in each lane of the
-/// numbers (number.hpp).
+/// The position and velocity of a center at some moment, or of one center in each lane of the numbers
+/// (number.hpp).
 template <class Number>
 struct StateOf {
   VectorOf<Number> position;  ///< [L]
@@ -56,7 +56,7 @@ struct GrowingMotion : StraightMotion {
     return scale + rate * duration(begin, moment);
   }
 
-  TimeOf<Number> begin;  ///< Of the epoch [T].
+  TimeOf<Number> begin;  ///< Begin of the epoch [T].
   Number scale;          ///< At the begin [1].
   Number rate;           ///< [1/T]
 };
@@ -97,7 +97,7 @@ class Motion {
       return StraightMotion{}.state_at(path, moment);
     return falling_state_at(path, moment);
   }
-  /// Its parts.
+  /// The position [L] or velocity [L/T] at `moment`.
   Vec3 position_at(const Path& path, const Time& moment) const { return state_at(path, moment).position; }
   Vec3 velocity_at(const Path& path, const Time& moment) const { return state_at(path, moment).velocity; }
 

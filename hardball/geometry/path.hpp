@@ -20,7 +20,7 @@ struct alignas(std::is_same_v<Number, double> ? 64 : alignof(Number)) PathOf {
 
   VectorOf<Number> position;  ///< Center at `time` [L].
   VectorOf<Number> velocity;  ///< At `time` [L/T].
-  TimeOf<Number> time;        ///< Of the last change.
+  TimeOf<Number> time;        ///< Time of the last change.
 
   friend bool operator==(const PathOf&, const PathOf&) = default;
 };

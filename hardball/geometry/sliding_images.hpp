@@ -30,7 +30,7 @@ struct Shear {
 class SlidingImages {
  public:
   SlidingImages() = default;
-  /// Of a box of this width along x and height along y [L].
+  /// The images of a box of this width along x and height along y [L].
   SlidingImages(const Shear& shear, double width, double height)
       : shear_(shear), width_(width), speed_(shear.rate * height) {}
 
@@ -47,7 +47,7 @@ class SlidingImages {
     return normalized<Number>(slid.high, slid.low + speed * moment.low) +
            DoubleDouble<Number>{Number(shear_.offset), Number(0.0)};
   }
-  /// The same up to whole boxes, between zero and the width [L].
+  /// The displacement without whole boxes, between zero and the width [L].
   double displacement_in_box(const Time& moment) const {
     const DoubleDouble<double> whole = displacement(moment);
     const DoubleDouble<double> boxes = product(std::floor(whole.high / width_), width_);

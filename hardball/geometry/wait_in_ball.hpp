@@ -25,9 +25,9 @@ inline double straight_wait_in_ball(const Vec3& position, Vec3 velocity, double 
   return time_unit * (outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared);
 }
 
-/// The same for one that falls, or less: either it would stay in a smaller ball without gravity, and does not
-/// fall by the difference; or its way is shorter than the distance to the edge. `radius` [L] is the ball's,
-/// `gravity` [L/T^2] the magnitude of the acceleration.
+/// A lower bound of the time for which a falling point stays in a ball [T]: either it would stay in a smaller
+/// ball without gravity, and does not fall by the difference; or its way is shorter than the distance to the
+/// edge. `radius` [L] is the ball's, `gravity` [L/T^2] the magnitude of the acceleration.
 inline double falling_wait_in_ball(const Vec3& position, const Vec3& velocity, double gravity,
                                    double radius) {
   constexpr double kSmaller = 0.75;

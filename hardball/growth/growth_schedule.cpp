@@ -59,8 +59,8 @@ bool is_dilute(const World& world, double packing_fraction) {
          world.size() >= kMany;
 }
 
-// Whether so long a time between the contacts of a sphere is more than rounding: what is locked among walls
-// exerts no pressure on other spheres.
+// Whether the time between the contacts of a sphere is more than rounding: a sphere that is locked among
+// walls exerts no pressure on others.
 bool are_resolved(const Time& moment, double between_contacts) {
   constexpr double kFewest = 8;
   return between_contacts > kFewest * (std::nextafter(moment.high, kNever.high) - moment.high);

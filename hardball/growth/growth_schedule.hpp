@@ -19,7 +19,8 @@ namespace hardball {
 struct GrowthRules {
   /// The rate of the mean diameter over the thermal speed, sqrt(kT/m) [1]; negative where spheres shrink.
   /// Collisions heat spheres that grow: the rate rises with their speed, and whenever that has doubled, all
-  /// velocities are halved; where spheres shrink, likewise.
+  /// velocities are halved. Spheres that shrink cool: whenever their speed has halved, all velocities are
+  /// doubled.
   double rate = 0.01;
   /// Growth ends when all spheres together fill this fraction of the accessible volume [1]; infinity for
   /// never, which is for spheres that grow alone: others would be points in a finite time.
@@ -47,10 +48,10 @@ class HARDBALL_EXPORT GrowthSchedule {
  public:
   enum class State : std::uint8_t {
     measuring,      ///< Sizes are constant for a moment: how dense the spheres are is found out.
-    growing,        ///< Or shrinking.
-    reached,        ///< The packing fraction wanted; sizes are constant from here on.
-    over_pressure,  ///< The compressibility wanted; likewise.
-    no_room,        ///< The size at which the largest sphere just fits the box and its walls; likewise.
+    growing,        ///< Spheres grow or shrink.
+    reached,        ///< The packing fraction wanted is reached; sizes are constant from here on.
+    over_pressure,  ///< The compressibility wanted is reached; sizes are constant from here on.
+    no_room,        ///< The largest sphere just fits the box and its walls; sizes are constant from here on.
   };
 
   /// Error: the rate is zero or not finite; a limit is not positive, or lies where growth does not lead.
@@ -75,7 +76,8 @@ class HARDBALL_EXPORT GrowthSchedule {
                std::optional<double> compressibility = {});
   /// When the epoch ends [T]; infinity when growth is over.
   double next() const { return end_; }
-  /// After so many more contacts, far beyond those expected, spheres jam within the epoch: it must be ended.
+  /// The number of further contacts, far more than expected, after which spheres jam within the epoch: it
+  /// must be ended.
   std::uint64_t contacts_left(const Tally& tally, std::size_t spheres) const;
   /// Ends the epoch with the contacts that round to the same double as `moment`, if it lasts longer.
   void end_by(const Time& moment) {

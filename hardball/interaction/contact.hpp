@@ -33,9 +33,9 @@ struct Spins {
 
 /// What becomes of the bodies of a contact.
 enum class ContactOutcome : std::uint8_t {
-  bounce,  ///< They separate.
-  pass,    ///< They pass through each other, on unchanged paths.
-  merge,   ///< They become one: the first, in the place and with the mass of both.
+  bounce,  ///< The bodies separate.
+  pass,    ///< Spheres pass through each other, on unchanged paths.
+  merge,   ///< Two spheres become one: the first, in the place and with the mass of both.
 };
 
 /// Negative if bodies that are `separation` [L] apart approach each other [L^2/T]: the same expression whose
@@ -68,8 +68,8 @@ struct Contact {
   /// How much faster the image of the second sphere moves along x than the sphere itself [L/T]; zero but for
   /// images above or below in a sheared box.
   double image_speed = 0;
-  /// Of the centers [L/T], of the second sphere that of its image; but of spheres that grow, while the
-  /// response is called, of their surfaces where they meet.
+  /// Velocities of the centers before the contact [L/T], that of the second sphere being its image's. While a
+  /// response is called for spheres that grow: velocities of their surfaces where they meet.
   Velocities before;
   Velocities after;    ///< [L/T]; equal to `before` while the response is called.
   Spins spins_before;  ///< [1/T]
@@ -92,7 +92,7 @@ struct Contact {
   bool is_collision() const { return kind == EventKind::collision; }
   /// Unit vector along `separation`, or toward the wall [1].
   Vec3 normal() const { return is_collision() ? (1 / length(separation)) * separation : wall_normal; }
-  /// Where the surfaces touch, in the coordinates of `position` [L].
+  /// The point at which the surfaces touch, in the coordinates of `position` [L].
   Vec3 point() const { return position + first_radius * normal(); }
   /// The momentum the first sphere gained [M L/T]; the second lost as much. Zero between kinematic spheres.
   Vec3 impulse() const {
@@ -117,7 +117,7 @@ struct Contact {
 
 /// What a response decides: the velocities and spins after a contact, and whether two spheres merge.
 struct Outcome {
-  /// The same spins as before.
+  /// An outcome with these velocities, in which spins stay as they are.
   Outcome(const Contact& contact, const Velocities& after) : velocities(after), spins(contact.spins_before) {}
 
   Velocities velocities;  ///< [L/T]

@@ -22,7 +22,7 @@ using CustomResponse = Function<Outcome(const Contact&)>;
 class Interactions {
  public:
   Interactions() : Interactions(Restitution()) {}
-  /// The same for all spheres and walls.
+  /// One coefficient of restitution for all spheres and walls.
   Interactions(const Restitution& restitution)  // NOLINT(google-explicit-constructor)
       : Interactions(ResponseTable(Bounce(restitution), Bounce(restitution))) {}
   Interactions(const ResponseTable& table)  // NOLINT(google-explicit-constructor)

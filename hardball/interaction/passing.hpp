@@ -27,7 +27,7 @@ inline bool are_inside(const Vec3& separation, double reach) {
 }
 
 /// Whether the contact of two spheres that pass through each other has been recorded, `last` being the last
-/// such contact. An engine may know it by another image: the spheres and the time tell which it is.
+/// such contact. An engine may know it by another image: the spheres and the time identify it.
 inline bool is_recorded(Event contact, const Event& last) {
   contact.image = last.image;
   return contact <= last;

@@ -21,7 +21,7 @@ using Rule = std::variant<Bounce, Merging, Passing>;
 /// A response for each pair of species, and for each species at walls.
 class HARDBALL_EXPORT ResponseTable {
  public:
-  /// The same for all spheres, and for all at walls.
+  /// One rule for all spheres, and one for all spheres at walls.
   explicit ResponseTable(const Rule& spheres = Bounce(), const Bounce& walls = Bounce());
 
   /// Sets the response of two species. Cost: O(number of species squared).

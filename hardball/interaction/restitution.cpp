@@ -11,7 +11,7 @@
 namespace hardball {
 namespace {
 
-// A plane perpendicular to an axis keeps the other components of a velocity as they are, to the bit.
+// A plane perpendicular to an axis leaves the other components of a velocity unchanged, to the bit.
 bool is_along_axis(const Vec3& normal) {
   return std::fabs(normal.x) == 1 || std::fabs(normal.y) == 1 || std::fabs(normal.z) == 1;
 }

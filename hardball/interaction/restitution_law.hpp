@@ -10,7 +10,7 @@
 
 namespace hardball {
 
-/// The same coefficient of restitution at any impact speed [1].
+/// A coefficient of restitution that does not depend on the impact speed [1].
 struct ConstantRestitution {
   double value = 1;
 
@@ -22,15 +22,15 @@ struct ConstantRestitution {
 /// 1 - 1.15344 b u^(1/5) at first. Source: Mueller and Poeschel, Phys. Rev. E 84 (2011) 021302.
 class HARDBALL_EXPORT ViscoelasticRestitution {
  public:
-  /// With the coefficient `value` [1] at the impact speed `speed` [L/T]. Error: `value` is not between 0 and
-  /// 1, or too small to be reached; `speed` is not positive.
+  /// A law with the coefficient `value` [1] at the impact speed `speed` [L/T]. Error: `value` is not between
+  /// 0 and 1, or too small to be reached; `speed` is not positive.
   ViscoelasticRestitution(double value, double speed);
 
   /// At an impact speed [L/T].
   double at(double speed) const;
   /// The impact speed at which the coefficient was given [L/T].
   double speed() const { return speed_; }
-  /// The same law where all speeds are this many times as large.
+  /// This law where all speeds are multiplied by `factor`.
   ViscoelasticRestitution scaled(double factor) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace hardball {
 
-/// Which kind of sphere one is, where contacts depend on it: a number that programs and scenarios choose.
+/// The species of a sphere, on which contacts may depend: a number that programs and scenarios choose.
 using SpeciesId = std::uint8_t;
 
 /// The moments of inertia of a uniform sphere and of a uniform disc, over mass and squared radius [1].

@@ -27,8 +27,8 @@ struct Step {
 struct StepRules {
   /// From the inside to the outside; beyond the last the energy is zero.
   std::vector<Step> steps = {};
-  /// Where the spheres bounce off each other, over the sum of the radii [1]; zero if they do not, and may
-  /// take the same place.
+  /// The distance at which spheres bounce off each other, over the sum of the radii [1]; zero if they do not,
+  /// and may take the same place.
   double core = 1;
   /// Whether the spheres never part beyond the last step.
   bool is_tether = false;
@@ -39,8 +39,9 @@ struct StepRules {
 /// A potential of steps between two spheres: wells, shoulders, tethers.
 ///
 /// The level of a pair is the number of steps that it is inside of: zero beyond the last step, where the
-/// energy is zero. It is a state of the pair, and changes only where the pair passes a step, as at a step its
-/// distance does not tell on which side it is. Source: Alder and Wainwright, J. Chem. Phys. 31 (1959) 459.
+/// energy is zero. It is a state of the pair, and changes only where the pair passes a step, because at a
+/// step its distance does not say on which side it is. Source: Alder and Wainwright, J. Chem. Phys. 31 (1959)
+/// 459.
 class HARDBALL_EXPORT StepPotential {
  public:
   using Level = std::uint8_t;
@@ -90,14 +91,14 @@ class HARDBALL_EXPORT StepPotential {
 /// The potentials of steps of a world: for pairs of species, and for bonds between certain spheres.
 class HARDBALL_EXPORT StepTable {
  public:
-  /// Whose potential it is, by its number in this table; none if there are no steps.
+  /// The number of a potential in this table; kNone if there are no steps.
   using Number = std::uint16_t;
   static constexpr Number kNone = std::numeric_limits<Number>::max();
 
   /// Sets the potential of two species. Error: it is a tether, which only bonds have; there are more than
   /// 65,535 potentials. Cost: O(number of species squared).
   void set(SpeciesId a, SpeciesId b, const StepPotential& potential);
-  /// Sets that of all species for which there is none.
+  /// Sets the potential of all pairs of species that have none of their own.
   void set_for_all(const StepPotential& potential);
   /// Adds a potential of bonds, and returns its number. Error: it is not a tether.
   Number add_bond(const StepPotential& potential);
@@ -139,8 +140,8 @@ class HARDBALL_EXPORT StepTable {
 
 /// A step that the two spheres of a contact have come to.
 struct StepAttempt {
-  StepTable::Number potential = StepTable::kNone;  ///< Its number in the step table.
-  std::uint8_t step = 0;                           ///< Its number, counted from the inside.
+  StepTable::Number potential = StepTable::kNone;  ///< Number of the potential in the step table.
+  std::uint8_t step = 0;                           ///< Number of the step, counted from the inside.
   bool is_outward = false;                         ///< Whether the spheres came from inside.
   bool passes = false;  ///< Whether they pass the step; if not, they bounce off it.
   /// The potential energy beyond the step less that before it [M L^2 T^-2]; infinite at the end of a tether.

@@ -21,13 +21,13 @@ struct CheckpointSection {
   std::string bytes;
 };
 
-/// What a checkpoint tells of a section before all sections.
+/// The entry of a section in the directory at the start of a checkpoint.
 struct SectionEntry {
   std::string name;
   std::uint32_t method = 0;    ///< How it is compressed.
-  std::uint64_t length = 0;    ///< Of its bytes.
-  std::uint64_t packed = 0;    ///< The same as compressed.
-  std::uint64_t checksum = 0;  ///< Of the compressed bytes.
+  std::uint64_t length = 0;    ///< Length of its bytes.
+  std::uint64_t packed = 0;    ///< Length of the compressed bytes.
+  std::uint64_t checksum = 0;  ///< Checksum of the compressed bytes.
 
   static void persist(auto& archive, auto& self) {
     archive(self.name, self.method, self.length, self.packed, self.checksum);
@@ -64,7 +64,8 @@ HARDBALL_EXPORT void write_checkpoint_file(const std::filesystem::path& path,
 /// than 256 times the length of the file.
 HARDBALL_EXPORT std::map<std::string, std::string> read_checkpoint_file(const std::filesystem::path& path);
 
-/// The same, of the bytes of a file; `where` names it in errors.
+/// The sections of a checkpoint, by name, from the bytes of a file; `where` names it in errors. Error: it is
+/// damaged.
 HARDBALL_EXPORT std::map<std::string, std::string> read_checkpoint(std::string_view file,
                                                                    const std::string& where);
 

@@ -7,10 +7,10 @@
 
 namespace hardball {
 
-/// By which a file is known again when a run is resumed: the XXH64 of the bytes.
+/// The XXH64 of the bytes, by which a file is recognized when a run is resumed.
 std::uint64_t checksum_of(std::string_view bytes);
 
-/// How much of the end of a file is summed for that, so that longer files do not take longer to continue.
+/// How many bytes at the end of a file are summed, so that longer files do not take longer to continue.
 inline constexpr std::uint64_t kSummedBytes = std::uint64_t{1} << 20;
 
 }  // namespace hardball

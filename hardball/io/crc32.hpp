@@ -9,9 +9,9 @@ namespace hardball {
 
 /// The CRC-32 of bytes that come one part after the other, as of zip and zlib.
 ///
-/// It tells every change of up to 32 adjacent bits, and of any two bits in less than 512 MB; other changes
-/// but for one in 2^32. Source: ISO 3309; eight bytes at a time by tables (Kounavis and Berry, "A systematic
-/// approach to building high performance software-based CRC generators", 2005). Cost: O(bytes).
+/// It detects every change of up to 32 adjacent bits, and of any two bits in less than 512 MB; of other
+/// changes, it misses one in 2^32. Source: ISO 3309; eight bytes at a time by tables (Kounavis and Berry, "A
+/// systematic approach to building high performance software-based CRC generators", 2005). Cost: O(bytes).
 class Crc32 {
  public:
   void add(std::string_view bytes);
@@ -21,7 +21,7 @@ class Crc32 {
   std::uint32_t state_ = 0xffffffff;
 };
 
-/// Of one part.
+/// The checksum of one part.
 inline std::uint32_t crc32_of(std::string_view bytes) {
   Crc32 crc;
   crc.add(bytes);

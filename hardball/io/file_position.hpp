@@ -11,9 +11,9 @@ namespace hardball {
 
 /// How far a file has been written, and what its end contains: what is needed to continue it.
 struct FilePosition {
-  std::uint64_t bytes = 0;  ///< Its length.
+  std::uint64_t bytes = 0;  ///< Length of the file.
   std::optional<std::uint64_t> checksum =
-      {};  ///< Of its last bytes, kSummedBytes at most; not known of devices.
+      {};  ///< Checksum of its last bytes, kSummedBytes at most; unknown for devices.
 
   friend bool operator==(const FilePosition&, const FilePosition&) = default;
   static void persist(auto& archive, auto& self) { archive(self.bytes, self.checksum); }

@@ -51,7 +51,8 @@ class HARDBALL_EXPORT OutputFile {
   /// Marks the file as complete, and waits until it is on the disk. Error (RunFailure): as for append.
   void sync();
 
-  /// The same, and returns how to continue from here. Error (RunFailure): likewise.
+  /// Marks the file as complete, waits until it is on the disk, and returns how to continue from here. Error
+  /// (RunFailure): as for append.
   FilePosition position(std::uint64_t head = 0);
 
   /// Flushes the file as complete and closes it; does nothing if it is closed. Error (RunFailure): as for

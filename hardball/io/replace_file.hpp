@@ -12,7 +12,7 @@ namespace hardball {
 /// Error (RunFailure): it cannot be written; it is then as before.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same for a file that several processes write: the name under which it is written.
+/// The name under which several processes write a file before it replaces the one at `path`.
 std::filesystem::path unfinished_name(const std::filesystem::path& path);
 /// Writes bytes at an offset of a file, which is created if there is none, and returns when they are on the
 /// disk. Error (RunFailure): they cannot be written.

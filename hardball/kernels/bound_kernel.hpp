@@ -16,7 +16,7 @@ namespace hardball {
 /// Source: docs/bounds.md, where the names are those of the proof.
 struct BoundScale {
   bool are_radii_alike = true;                     ///< Whether all radii are equal.
-  float common_reach = 0;                          ///< Then the sum of two, with the allowance [L].
+  float common_reach = 0;                          ///< If so, the sum of two radii, with the allowance [L].
   std::array<float, CompactPath::kRadii> radii{};  ///< Rounded up, if there are no more different ones [L].
   std::array<float, 3> grid{};                     ///< The step of the grid along each axis [L].
   float tick = 0;                                  ///< [T]
@@ -42,7 +42,7 @@ struct BoundKeys {
   /// The most candidates.
   static constexpr std::size_t kMax = 64;
   static constexpr std::uint32_t kIndex = kMax - 1;
-  /// Of a candidate that will not touch; any greater number likewise.
+  /// The key of a candidate that will not touch; any greater number means that, too.
   static constexpr std::uint32_t kForever =
       std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
 
@@ -60,8 +60,8 @@ struct BoundQuery {
   std::uint32_t self;
   const std::uint32_t* others;
   std::size_t count;       ///< At most BoundKeys::kMax.
-  float size = 1;          ///< Of radii, relative to the largest of the epoch, rounded up [1].
-  std::int32_t slide = 0;  ///< Of the image above along x, modulo 2^32 steps of the grid.
+  float size = 1;          ///< Size of the radii, relative to the largest of the epoch, rounded up [1].
+  std::int32_t slide = 0;  ///< Displacement of the image above along x, modulo 2^32 steps of the grid.
 };
 
 /// Bounds the waits of a sphere, from the moment at which its path was copied, until it touches others. Paths
@@ -70,7 +70,8 @@ struct BoundQuery {
 using BoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
                                   const BoundQuery& query);
 
-/// A sphere, and those that are inside of a step of a potential with it, padded likewise, on straight paths.
+/// A sphere, and those that are inside of a step of a potential with it, padded to a whole vector with
+/// itself, on straight paths.
 struct StepBoundQuery {
   std::uint32_t self;
   const std::uint32_t* others;
@@ -83,7 +84,7 @@ struct StepBoundQuery {
 using StepBoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths,
                                       const StepBoundQuery& query);
 
-/// The same as BoundKernel for two spheres at once: the processor works on both at a time.
+/// A BoundKernel for two spheres: the processor works on both at a time.
 using BoundPairKernel = std::array<BoundKeys, 2> (*)(const BoundScale& scale, const CompactPath* paths,
                                                      const float* radii, const BoundQuery& one,
                                                      const BoundQuery& other);

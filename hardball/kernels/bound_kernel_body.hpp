@@ -45,7 +45,7 @@ struct BoundedSphere {
 /// What bounds depend on besides straight paths.
 enum class BoundedMotion { straight, falling, growing, sheared };
 
-/// Of the quadratic whose first zero is a bound; see docs/bounds.md.
+/// Coefficients of the quadratic whose first zero is a bound; see docs/bounds.md.
 template <class Floats>
 struct Coefficients {
   Floats approach;
@@ -195,7 +195,7 @@ HARDBALL_ALWAYS_INLINE Floats wait_to_leave(const BoundScale& scale, const Relat
   return maximum(wait * Floats(kRoundedDown), zero);
 }
 
-/// The same waits as bits with room for the indices of candidates; infinite for the sphere itself, too.
+/// The waits as bits with room for the indices of candidates; infinite for the sphere itself, too.
 template <BoundedMotion kind, class Floats>
 HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& scale,
                                                              const CompactPath* paths, const float* radii,

@@ -14,7 +14,7 @@ namespace hardball {
 /// A copy of a path from a recent moment on, of half its size, from which contact times are bounded: see
 /// CompactPaths (bounds/compact_paths.hpp), which also defines the units. It is not part of the motion.
 struct alignas(32) CompactPath {
-  std::array<std::int32_t, 3> position{};  ///< Of the center at `tick`, modulo 2^32 steps of the grid.
+  std::array<std::int32_t, 3> position{};  ///< Center at `tick`, modulo 2^32 steps of the grid.
   std::int32_t tick = 0;                   ///< When, modulo 2^32 ticks.
   std::array<float, 3> velocity{};         ///< NaN if too fast to be bounded.
   /// Eight times how often the path has changed, modulo 2^32, plus the index of its sphere's radius among up

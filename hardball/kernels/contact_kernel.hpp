@@ -16,18 +16,18 @@ struct ContactQuery {
   const Path* paths;            ///< By slot.
   const double* radii;          ///< Base radii by slot; null if all are `radius`.
   double radius;                ///< The base radius of the sphere [L].
-  std::uint32_t self;           ///< Its slot.
+  std::uint32_t self;           ///< Slot of the sphere.
   const std::uint32_t* others;  ///< Slots of the candidates, padded with the sphere itself.
-  std::size_t count;            ///< Of the candidates.
+  std::size_t count;            ///< Number of the candidates.
   const double* const* shifts;  ///< Displacement of each candidate's image along each axis [L]; null for the
                                 ///< nearest, which is the only choice in a sheared box.
-  const Vec3* period;           ///< Of the box [L]; zero along axes that are not periodic.
+  const Vec3* period;           ///< Periods of the box [L]; zero along axes that are not periodic.
   const Vec3* inverse_period;   ///< Zero along axes that are not periodic.
   double now_high;              ///< When images are the nearest; any time if they are given.
   double now_low;
-  const Vec3* gravity;          ///< Of all spheres [L/T^2]; null if paths are straight.
-  const Growth* growth;         ///< Of all spheres; null if radii are base radii.
-  const SlidingImages* images;  ///< Of a sheared box; null if images rest.
+  const Vec3* gravity;          ///< Acceleration of all spheres [L/T^2]; null if paths are straight.
+  const Growth* growth;         ///< Growth of all spheres; null if radii are base radii.
+  const SlidingImages* images;  ///< Images of a sheared box; null if images rest.
 };
 
 /// The earliest contact of a sphere with its candidates.
@@ -44,15 +44,15 @@ struct PairQuery {
   const double* radii;          ///< Base radii by slot; null if all are `radius`.
   double radius;                ///< [L]
   const std::uint32_t* first;   ///< A slot of each pair, padded to a whole vector with any slots.
-  const std::uint32_t* second;  ///< The other, likewise.
-  std::size_t count;            ///< Of the pairs.
-  const Vec3* period;           ///< Of the box [L]; zero along axes that are not periodic.
+  const std::uint32_t* second;  ///< The other slot of each pair, padded to a whole vector with any slots.
+  std::size_t count;            ///< Number of the pairs.
+  const Vec3* period;           ///< Periods of the box [L]; zero along axes that are not periodic.
   const Vec3* inverse_period;   ///< Zero along axes that are not periodic.
   double now_high;              ///< When images are the nearest.
   double now_low;
-  const Vec3* gravity;          ///< Of all spheres [L/T^2]; null if paths are straight.
-  const Growth* growth;         ///< Of all spheres; null if radii are base radii.
-  const SlidingImages* images;  ///< Of a sheared box; null if images rest.
+  const Vec3* gravity;          ///< Acceleration of all spheres [L/T^2]; null if paths are straight.
+  const Growth* growth;         ///< Growth of all spheres; null if radii are base radii.
+  const SlidingImages* images;  ///< Images of a sheared box; null if images rest.
 };
 
 /// One sphere and those that are inside of a step of a potential with it, as plain arrays.
@@ -62,8 +62,8 @@ struct StepQuery {
   const std::uint32_t* others;  ///< Slots of the others, padded with the sphere itself.
   const double* inner;          ///< The next step or the core inwards, zero if there is none [L]; padded.
   const double* outer;          ///< The next step outwards [L]; padded.
-  std::size_t count;            ///< Of the others.
-  const Vec3* period;           ///< Of the box [L]; zero along axes that are not periodic.
+  std::size_t count;            ///< Number of the others.
+  const Vec3* period;           ///< Periods of the box [L]; zero along axes that are not periodic.
   const Vec3* inverse_period;   ///< Zero along axes that are not periodic.
   double now_high;              ///< When images are the nearest.
   double now_low;

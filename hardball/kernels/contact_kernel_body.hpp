@@ -69,7 +69,7 @@ class NearestContacts {
   AnyMotion motion_;
 };
 
-/// The same in a sheared box.
+/// Contacts with the nearest images of a sheared box.
 template <class Lanes>
 class NearestSlidingContacts {
  public:

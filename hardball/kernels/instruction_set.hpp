@@ -17,7 +17,7 @@ enum class InstructionSet {
   avx512,    ///< Sixteen numbers in single precision at a time, and mask registers.
 };
 
-/// Their names, in the same order.
+/// The names of the instruction sets, in the order of InstructionSet.
 inline constexpr std::array<std::string_view, 3> kInstructionSetNames{"portable", "avx2", "avx512"};
 
 /// The most numbers processed at a time: arrays that kernels read are padded by as many.

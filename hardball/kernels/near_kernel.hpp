@@ -51,8 +51,8 @@ struct NearQuery {
   const std::uint32_t*
       next;  ///< By block, the next of the same cell, which exists only if the first is full.
   const CellNearby* cells;
-  std::size_t count;          ///< Of cells.
-  std::array<float, 3> unit;  ///< Of packed positions, along each axis [L].
+  std::size_t count;          ///< Number of cells.
+  std::array<float, 3> unit;  ///< Unit of packed positions, along each axis [L].
   float reach;                ///< The distance within which points are near [L].
   const float* radii;         ///< By slot: added to `reach` for each point [L]; null for none.
   float margin;               ///< Added to each of these radii [L].

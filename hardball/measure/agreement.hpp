@@ -11,7 +11,7 @@
 
 namespace hardball {
 
-/// How far the largest of so many deviations from the truth may lie by chance in one run of a hundred
+/// How far the largest of `compared` deviations from the truth may lie by chance in one run of a hundred
 /// [standard errors]. Errors are from at least eight independent parts: Student's distribution with seven
 /// degrees of freedom, and as many comparisons as there are (Bonferroni). Source: Abramowitz and Stegun,
 /// Handbook of Mathematical Functions, 26.7.3; Miller, Simultaneous Statistical Inference, section 1.
@@ -23,8 +23,8 @@ double deviation(const Quantity& quantity);
 
 /// A number that is farther from its theory than chance allows.
 struct FarNumber {
-  std::string quantity;  ///< Its name.
-  std::string title;     ///< Of its measurement.
+  std::string quantity;  ///< Name of the quantity.
+  std::string title;     ///< Title of its measurement.
 };
 
 /// Whether the numbers of a run agree with theory.
@@ -36,7 +36,7 @@ class Agreement {
   std::size_t compared() const { return compared_; }
   /// Whether a number is farther from its theory than chance allows.
   bool is_far(const Quantity& quantity) const { return deviation(quantity) > allowed_; }
-  /// Those that are.
+  /// The numbers that are farther from their theory than chance allows.
   const std::vector<FarNumber>& far() const { return far_; }
 
  private:

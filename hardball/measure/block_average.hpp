@@ -30,13 +30,13 @@ class BlockAverage {
 
   /// What is known about the groups.
   enum class Groups {
-    none,      ///< Nothing, as for collective quantities.
-    separate,  ///< That they are independent.
-    /// That they are independent at one time, but later exchange what they have, as spheres exchange energy.
+    none,      ///< Nothing is known, as for collective quantities.
+    separate,  ///< Groups are independent.
+    /// Groups are independent at one time, but later exchange what they have, as spheres exchange energy.
     /// Then what one forgets persists in others, and the variance of a mean over many successive times is
     /// about twice that of independent groups.
     exchanging,
-    /// That they are coupled at all times, as neighbors that have bonds in common or move collectively. Then
+    /// Groups are coupled at all times, as neighbors that have bonds in common or move collectively. Then
     /// the variance of the mean is up to about twice as large, the most in a dense fluid.
     coupled,
   };
@@ -77,7 +77,7 @@ class BlockAverage {
     if (++samples_in_block_ == samples_per_block_) close_block();
   }
 
-  /// Lets all samples so far count half as much as those to come. Cost: O(bins).
+  /// Halves the weight of all samples so far. Cost: O(bins).
   void halve_weights();
 
   /// Leaves the full blocks that ended by `time` out of all means. Nothing may be added from then on.

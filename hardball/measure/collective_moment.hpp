@@ -28,7 +28,7 @@ class CollectiveMoment {
   /// At which the components change at present.
   Sums rates{};
 
-  /// Goes on to `now`, with these rates. Cost: O(1), and O(components) for each increment that ends.
+  /// Advances to `now`, with these rates. Cost: O(1), and O(components) for each increment that ends.
   void advance(const Time& now) {
     for (Time end = next_end(); !(now < end); end = next_end()) {
       carry(duration(last_, end));
@@ -46,7 +46,7 @@ class CollectiveMoment {
   }
 
   const MomentLags& lags() const { return lags_; }
-  /// Those of a copy that has gone on to `now`.
+  /// The lags of a copy that has advanced to `now`.
   MomentLags lags_at(const Time& now) const {
     CollectiveMoment later = *this;
     later.advance(now);

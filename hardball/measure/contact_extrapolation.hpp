@@ -23,11 +23,11 @@ class ContactExtrapolation {
 
   using Bins = std::array<double, kBins>;
 
-  /// Of no bins.
+  /// An extrapolation without bins.
   ContactExtrapolation() = default;
 
   /// Bins fill the space within the gap 0 to `width` [L] of a sphere at contact with a sphere of radius
-  /// `radius` [L], or with a wall if that is infinite, in so many dimensions.
+  /// `radius` [L], or with a wall if that is infinite, in two or three dimensions.
   ContactExtrapolation(double width, double radius, std::size_t dimensions);
 
   double bin_width() const { return width_ / kBins; }  ///< [L]

@@ -7,7 +7,7 @@
 
 namespace hardball {
 
-/// What is added up over all contacts of a run, in whatever order they are noted.
+/// Sums over all contacts of a run, in whatever order they are added.
 struct ContactSums {
   EventLogHash hash;
   Tally tally;
@@ -16,9 +16,9 @@ struct ContactSums {
     tally.note(contact);
     hash.note(contact);
   }
-  /// Empty sums, for contacts that are noted elsewhere.
+  /// Empty sums, for contacts that are added elsewhere.
   ContactSums part() const { return {{}, tally.part()}; }
-  /// Takes over what has been noted in a part.
+  /// Adds the sums of a part.
   void add(const ContactSums& part) {
     tally.add(part.tally);
     hash.add(part.hash);

@@ -11,7 +11,7 @@
 namespace hardball {
 
 /// The columns of a measurement as comma-separated values. The first line names them, each with its unit, as
-/// in "radius [L]"; numbers read back to the same bits, and "nan" where there is none.
+/// in "radius [L]"; numbers read back to the same bits, and "nan" stands for a missing number.
 HARDBALL_EXPORT std::string columns_csv(const Measurement& measurement);
 
 /// The quantities of all measurements, a line for each: measure, name, value, error, theory, unit, the

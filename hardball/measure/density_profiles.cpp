@@ -39,7 +39,7 @@ double volume_below_inside(double plane, double radius, bool is_disc) {
   return std::numbers::pi / 3 * h * h * (3 * radius - h);
 }
 
-// The same for any plane.
+// Volume of a ball below a plane that need not cut it.
 double volume_below(double plane, double radius, bool is_disc) {
   return volume_below_inside(std::clamp(plane, -radius, radius), radius, is_disc);
 }

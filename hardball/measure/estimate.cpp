@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kMinParts = 16;
 constexpr double kMinIndependent = 8;
 
-// The factor for a standard deviation estimated with so many degrees of freedom, so that two of them cover as
-// much as two exact ones would. Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.5.
+// The factor for a standard deviation estimated with this many degrees of freedom, so that two of them cover
+// as much as two exact ones would. Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.5.
 double student_factor(double freedom) {
   return 1 + (1.25 + (1.5313 + 1.4297 / freedom) / freedom) / freedom;
 }
@@ -28,7 +28,7 @@ double autocovariance(std::span<const double> shares, std::size_t lag) {
   return sum;
 }
 
-// Standard error from the sum of squares of `parts` shares that are worth so many independent ones.
+// Standard error from the sum of squares of `parts` shares that are worth `independent` independent ones.
 double error_of(double squares, double parts, double independent) {
   return std::sqrt(squares * parts / (independent - 1)) * student_factor(std::min(independent, parts) - 1);
 }

@@ -34,7 +34,7 @@ using FunctionOfMeans = std::function<double(std::span<const double> means)>;
 /// A number computed from parts, and by how much each part moved it.
 struct Parts {
   double value = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> shares = {};  ///< They add up to about zero.
+  std::vector<double> shares = {};  ///< The shares add up to about zero.
 };
 
 /// The value of `quantity` for the means over all parts, and by how much each part moves it, found by leaving
@@ -61,11 +61,11 @@ double independent_parts(std::span<const double> shares);
 /// fewer than 16, too few to show a correlation, or fewer than eight independent_parts().
 double error_of_series(std::span<const double> shares);
 
-/// The same if the shares are of an exchange with a store, as heat with the energy of spheres; `changes` are
-/// the shares of the store's mean change. What a store takes up it gives back: of that, only the difference
-/// between its end and its beginning counts, which varies as twice its content does. If the run is too short
-/// for that to be known, the error is error_of_series. Source: Lavenberg and Welch, Manag. Sci. 27 (1981)
-/// 322, control variables.
+/// Standard error of a number whose shares are of an exchange with a store, as heat with the energy of
+/// spheres; `changes` are the shares of the store's mean change. What a store takes up it gives back: of
+/// that, only the difference between its end and its beginning counts, which varies as twice its content
+/// does. If the run is too short for that to be known, the error is error_of_series. Source: Lavenberg and
+/// Welch, Manag. Sci. 27 (1981) 322, control variables.
 double error_of_exchange(std::span<const double> shares, std::span<const double> changes);
 
 }  // namespace hardball

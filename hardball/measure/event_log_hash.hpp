@@ -16,15 +16,15 @@ namespace hardball {
 /// with the number of a step and whether it is passed, its ids, every bit of its time, and every bit of the
 /// times since when the motions of its spheres had not changed (minus infinity for a wall).
 ///
-/// It is the same in whichever order contacts are noted, and however they are divided among several hashes.
-/// Two runs with the same hash went through the same history: the times order their contacts. Of the contacts
-/// of a sphere in one moment, the times since when tell the first from the others. Which of three or more was
-/// the second, and which came later, is not covered.
+/// It is the same in whichever order contacts are added, and however they are divided among several hashes.
+/// Two runs with the same hash went through the same history: the times order their contacts. Among the
+/// contacts of a sphere at one moment, these times distinguish the first from the others. Which of three or
+/// more was the second, and which came later, is not covered.
 class EventLogHash {
  public:
   /// Cost: some 50 instructions, which depend on few others.
   void note(const Contact& contact) { sum_ += hash_of(contact); }
-  /// Takes over all contacts that another hash has noted.
+  /// Adds all contacts of another hash.
   void add(const EventLogHash& other) { sum_ += other.sum_; }
 
   std::uint64_t value() const { return kStart + sum_; }

@@ -81,11 +81,11 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Impact speeds",
                     .formula =
-                        R"($p(u)$ of the speed $u$ at which two surfaces meet; theory: Rayleigh's )"
+                        R"($p(u)$ of the speed $u$ at which two surfaces touch; theory: Rayleigh's )"
                         R"(distribution, $\frac{m}{2kT} \, u \, e^{-m u^2 / 4kT}$ for equal masses, mean )"
                         R"($\sqrt{\pi kT / m}$, mean square $4kT / m$; exact for a fixed energy)",
                     .source =
-                        "Kinetic theory: pairs meet in proportion to their normal relative speed; "
+                        "Kinetic theory: pairs collide in proportion to their normal relative speed; "
                         "docs/measures.md"};
   const MeetingSpeed theory(motion_);
   const FunctionOfMeans speed_of = [](std::span<const double> means) { return means[kSpeed]; };

@@ -22,9 +22,9 @@ void add_symmetric_product(double* components, const Vec3& a, const Vec3& b);
 /// conserved, and to the flow of a sheared box.
 class KineticTensor {
  public:
-  /// Of no spheres.
+  /// The tensor of no spheres.
   KineticTensor() = default;
-  /// That of the scene. Cost: O(n).
+  /// The tensor of a scene. Cost: O(n).
   explicit KineticTensor(const Scene& scene);
 
   /// Lets time pass, and adds the integral of the tensor to `integral`, which has six components [M L^2

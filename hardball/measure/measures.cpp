@@ -141,8 +141,8 @@ template <class Measure>
 void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double>& every, const Pace& pace) {
   const Time& now = scene.now();
   if constexpr (FollowsSpheres<Measure>) {
-    // So many samples in a mean free time resolve the decay of velocities; windows of so many have lags that
-    // are long enough for diffusion; and following so many spheres leaves enough windows.
+    // This many samples in a mean free time resolve the decay of velocities; windows of this length have lags
+    // that are long enough for diffusion; and following this many spheres leaves enough windows.
     constexpr double kSamplesPerFreeTime = 4;
     constexpr std::int64_t kWindow = 256;
     constexpr std::size_t kMaxFollowed = 1000;

@@ -49,8 +49,8 @@ class HARDBALL_EXPORT Measures {
   void check_spheres(const World& world) const;
 
   void note(const Contact& contact);
-  /// Of the thermostat or of an edit: from then on the system counts as driven, and the theory of isolated
-  /// ones is left out.
+  /// Records a change of velocity by the thermostat or by an edit. From then on the system counts as driven,
+  /// and the theory of isolated systems is left out.
   void note(const VelocityChange& change);
   /// When the next sample is due; kNever if none is.
   Time next_sample() const;
@@ -78,7 +78,7 @@ class HARDBALL_EXPORT Measures {
   static void persist_parts(auto& archive, auto& self);
   bool restored() const;
 
-  struct Entries;  // a measure of each kind, and what tells whether they have settled
+  struct Entries;  // a measure of each kind, and what decides whether they have settled
 
   MeasureSettings settings_;
   bool is_any_wanted_ = false;

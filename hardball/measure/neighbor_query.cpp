@@ -9,7 +9,7 @@
 namespace hardball {
 namespace {
 
-// So few cells and few spheres are searched in vain, whatever the range.
+// Then few cells and few spheres are searched in vain, whatever the range.
 constexpr double kSpheresInCell = 2;
 
 // Of a cube, in two dimensions of a square.

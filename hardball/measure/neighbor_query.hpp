@@ -28,7 +28,7 @@ class NeighborQuery {
   /// The work of visiting all neighbors within a range of the spheres chosen, if all are spread evenly.
   struct Effort {
     std::size_t centers;  ///< How many are chosen.
-    double neighbors;     ///< Of all of them together; zero in open space.
+    double neighbors;     ///< Neighbors of all centers together; zero in open space.
     double cost;          ///< Including the search for neighbors [ns].
   };
   /// `range` [L]: how far away a neighbor's center may be. Cost: O(1).

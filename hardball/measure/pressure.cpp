@@ -162,9 +162,9 @@ void Pressure::add_viscosity(Measurement& found, const BlockAverage& average, co
 }
 
 // The standard deviation of a component of the kinetic part, averaged over some time [M L^2 T^-2]. At one
-// time it is that of so many independent spheres that share a fixed energy; it is forgotten within 5/4 mean
-// free times, in two dimensions within one: the ratio of viscosity to pressure of a dilute gas. Source:
-// Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, section 10.2.
+// time it is that of independent spheres that share a fixed energy; it is forgotten within 5/4 mean free
+// times, in two dimensions within one: the ratio of viscosity to pressure of a dilute gas. Source: Chapman
+// and Cowling, The Mathematical Theory of Non-Uniform Gases, section 10.2.
 double Pressure::kinetic_error(std::size_t component, double elapsed) const {
   const bool is_diagonal = kTensor[component].first == kTensor[component].second;
   const double variance = spheres_ * (is_diagonal ? 2 * (1 - 1 / dimensions_) : 1);

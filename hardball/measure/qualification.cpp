@@ -67,7 +67,7 @@ void leave_out(Quantity& quantity, const std::string& reason) {
 }
 
 void require_not_negative(Quantity& quantity) {
-  if (quantity.value < 0) leave_out(quantity, "the run is too short to tell it from zero");
+  if (quantity.value < 0) leave_out(quantity, "the run is too short to distinguish it from zero");
 }
 
 void qualify(Measurement& measurement, const Settled& settled) {

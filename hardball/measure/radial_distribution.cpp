@@ -199,7 +199,7 @@ Measurement RadialDistribution::result(const Scene& scene) const {
     const Kind& kind = kinds_[index];
     if (has_contact()) {
       Estimate contact = average.ratio(contact_bin(index), pairs_bin(index));
-      // From so few pairs the error of the cubic fit cannot be estimated.
+      // From fewer pairs the error of the cubic fit cannot be estimated.
       constexpr double kMinNear = 100;
       if (average.total(near_bin(index)) < kMinNear) contact.error = std::numeric_limits<double>::quiet_NaN();
       found.quantities.push_back({"contact_value" + kind.suffix, "1", contact.value, contact.error,

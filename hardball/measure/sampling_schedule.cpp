@@ -41,7 +41,7 @@ double power_of_two_from(double length) {
 }
 
 double irrational_from(double length) {
-  // Of so few bits that multiples are exact.
+  // The number has so few bits that multiples are exact.
   constexpr double kTwiceInverseGoldenRatio = 0x1.3c6ef3p0;
   return kTwiceInverseGoldenRatio * power_of_two_from(length / kTwiceInverseGoldenRatio);
 }
@@ -115,7 +115,7 @@ std::int64_t SamplingSchedule::first_from(std::int64_t next) const {
   return left < window_ ? next : next + period_ - left;
 }
 
-// A period of which one half is over goes on as the other half.
+// A period of which one half is over continues as the other half.
 void SamplingSchedule::double_period() {
   period_ *= 2;
   if (is_scattered_) {

@@ -12,8 +12,8 @@ namespace hardball {
 /// 2.8 GHz; nothing is timed, so that a scenario is measured identically everywhere.
 struct Pace {
   double free_time;     ///< Mean time between the collisions of a sphere, or in which it crosses the box [T].
-  double cost;          ///< Of the run for each unit of time [ns/T].
-  double contact_cost;  ///< Of the run for each contact [ns].
+  double cost;          ///< Cost of the run for each unit of time [ns/T].
+  double contact_cost;  ///< Cost of the run for each contact [ns].
 };
 
 Pace expected_pace(const GasStatistics& statistics);

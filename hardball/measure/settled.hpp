@@ -32,7 +32,7 @@ inline constexpr const char* kStillSpreading = "the spheres are still spreading 
 inline constexpr const char* kStillChanging = "it still changes in the second half of the run";
 inline constexpr const char* kNotSteady = "the temperature keeps changing and there is no steady state";
 inline constexpr const char* kLagChosen = "it is the lag at which the constant was read";
-/// Of spheres that all pass through each other.
+/// Why there is no number where all spheres pass through each other.
 inline constexpr const char* kVelocitiesOfTheStart =
     "the spheres pass through each other and keep the velocities of their start";
 

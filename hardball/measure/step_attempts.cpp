@@ -148,7 +148,7 @@ void StepAttempts::add_step(const Scene& scene, const BlockAverage& average, std
     found.quantities.push_back({std::string("rate_") + direction + suffix, "T^-1", 2 * rate.value / spheres_,
                                 2 * rate.error / spheres_});
     if (!(rise > 0) || is_end) return;
-    // As many as have a normal energy of more than the rise; with so few degrees of freedom fewer.
+    // The share with a normal energy above the rise; less with few degrees of freedom.
     const double x = rise / temperature;
     const double theory = std::exp(-x);
     Quantity passed{.name = std::string("passed_") + direction + suffix, .unit = "1"};
@@ -167,7 +167,7 @@ void StepAttempts::add_step(const Scene& scene, const BlockAverage& average, std
   const auto level_outside = static_cast<StepPotential::Level>(level_inside - 1);
   if (!is_end) add_direction("inward", kComeIn, rules.rise(level_outside, false));
   add_direction("outward", kComeOut, is_end ? 0 : rules.rise(level_inside, true));
-  // Where all spheres are alike, the rates tell the densities on both sides.
+  // Where all spheres are alike, the rates give the densities on both sides.
   const SpeciesList& species = scene.species();
   if (rules.is_tether() || !species.is_one_kind()) return;
   const double distance = rules.rules().steps[step].ratio * 2 * species.radius(0);

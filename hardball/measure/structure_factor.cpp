@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::size_t kShells = 64;
 
-// The powers of a phase are stored: so many along the longest axis.
+// The powers of a phase are stored, this many along the longest axis.
 constexpr double kMaxPeriods = 4096;
 
-// Two numbers at a time by the compilers' generic vectors, and so many pairs of spheres at once.
+// Two numbers at a time by the compilers' generic vectors, and this many pairs of spheres at once.
 using Pair = double __attribute__((vector_size(16)));
 constexpr std::size_t kPairs = 4;
 constexpr std::size_t kLanes = 2 * kPairs;

@@ -48,7 +48,7 @@ void Tally::note_edit(double energy_change, const Time& now) {
   note_gain(energy_change, now);
 }
 
-// One number for each contact, so that the sums do not depend on which gains are noted together.
+// One number for each contact, so that the sums do not depend on which gains are added together.
 void Tally::note_gain(double energy, const Time& now) {
   if (energy == 0) return;
   gains_ += energy;

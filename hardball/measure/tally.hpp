@@ -27,34 +27,34 @@ struct WallTally {
 };
 
 /// Sums over the contacts of a run from which pressures and the certificate follow: the same to the bit in
-/// whichever order contacts are noted, and however they are divided among several tallies.
+/// whichever order contacts are added, and however they are divided among several tallies.
 class HARDBALL_EXPORT Tally {
  public:
   /// Starts counting at `now` with the energy of the world. Cost: O(n).
   void begin(const World& world, const Time& now);
-  /// The same with the sums over its spheres; the world may be without them.
+  /// Starts counting at `now` with the sums over the spheres of the world, which may be without them.
   void begin(const World& world, const Totals& totals, const Time& now);
-  /// Tells how the spheres interact from now on; `begin` takes the interactions of the world. Where all
-  /// collisions are elastic, those of spheres of finite mass change no energy: what the velocities say is
-  /// rounding noise, and not noted.
+  /// Sets how the spheres interact from now on; `begin` uses the interactions of the world. Where all
+  /// collisions are elastic, those of spheres of finite mass change no energy: any change in the velocities
+  /// is rounding noise, and not added.
   void set_interactions(const Interactions& interactions) { is_elastic_ = interactions.are_elastic(); }
   /// Records that an edit of the world changed the kinetic energy, without that of spins, at `now`.
   void note_edit(double energy_change, const Time& now);
   void note(const Contact& contact);
-  /// A tally that has noted nothing, and began when this one did: for contacts that are noted elsewhere.
+  /// An empty tally that began when this one did, for contacts that are added elsewhere.
   Tally part() const;
-  /// Takes over what another tally has noted, which began with the same world at the same moment. Cost:
+  /// Adds another tally that began with the same world at the same moment. Cost:
   /// O(walls).
   void add(const Tally& other);
 
   /// The latest time of a contact or edit, or the start.
   const Time& last_change() const { return last_; }
   std::uint64_t collisions() const { return collisions_; }
-  /// Those of them after which the two spheres were one.
+  /// Collisions after which the two spheres were one.
   std::uint64_t mergers() const { return mergers_; }
-  /// Those of them in which the two passed through each other.
+  /// Collisions in which the two spheres passed through each other.
   std::uint64_t passes() const { return passes_; }
-  /// Those of them in which the two passed a step of their potential, or bounced off it.
+  /// Collisions in which the two spheres passed a step of their potential, or bounced off it.
   std::uint64_t steps_passed() const { return steps_passed_; }
   std::uint64_t steps_refused() const { return steps_refused_; }
   std::uint64_t wall_contacts() const { return wall_contacts_; }

@@ -85,8 +85,8 @@ void Temperature::sample(const Scene& scene) {
   samples_.close_sample(duration(begin_, scene.now()));
 }
 
-// The degrees of freedom of so many spheres with so much mass: along an axis without walls the motion of the
-// center of mass is theirs in proportion to their mass, unless other walls may drag them along.
+// The degrees of freedom of spheres with this number and total mass: along an axis without walls the motion
+// of the center of mass is theirs in proportion to their mass, unless other walls may drag them along.
 double Temperature::freedom(std::size_t axis, double spheres, double mass) const {
   return spheres - (box_.is_wall(axis) || !box_.has_plain_faces()
                         ? 0

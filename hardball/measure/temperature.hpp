@@ -58,7 +58,7 @@ class Temperature {
   SpeciesList species_;
   std::vector<double> masses_;  // of all spheres of a species but kinematic ones [M]
   Box box_;
-  double spheres_;        // likewise
+  double spheres_;        // how many, without kinematic ones
   ThermalMotion motion_;  // at the start
   Time begin_;
   Time last_;

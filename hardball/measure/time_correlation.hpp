@@ -32,7 +32,7 @@ class TimeCorrelation {
   /// The most spheres that are followed; of more, some are chosen evenly by id.
   static constexpr std::size_t kMaxSpheres = 10000;
   /// A product starts at a sample that is a multiple of the k-th power of two up to this many times that
-  /// power later: windows of so many samples have lags of nearly their length.
+  /// power later: windows of this many samples have lags of nearly their length.
   static constexpr std::size_t kLevelLags = 8;
 
   /// The vectors of each sphere, and the products of each lag.
@@ -47,14 +47,14 @@ class TimeCorrelation {
   /// each product.
   using Link = void (*)(std::span<const Vec3> earlier, std::span<const Vec3> later, double* sums);
 
-  /// Of no spheres.
+  /// A correlation of no spheres.
   TimeCorrelation() = default;
   /// Starts at the time of the scene; `interval` [T] is positive. Cost: O(n).
   TimeCorrelation(const Scene& scene, double interval, std::size_t most_spheres, const Shape& shape);
 
-  /// Adds a sample; `note` writes the vectors of the sphere in a slot to where it is told. A time that is no
-  /// multiple of the interval, or not later than the last, is ignored. Cost: some 10 links for each sphere
-  /// followed.
+  /// Adds a sample; `note` writes the vectors of the sphere in a slot to the place it is given. A time that
+  /// is not a multiple of the interval, or not later than the last, is ignored. Cost: some 10 links for each
+  /// sphere followed.
   template <class Note>
   void sample(const Scene& scene, Link link, const Note& note) {
     if (!is_due(scene.now())) return;

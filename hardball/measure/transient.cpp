@@ -16,7 +16,7 @@ namespace hardball {
 namespace {
 
 constexpr std::size_t kSteps = 16;
-// Beyond so many standard errors parts of a run, or its halves, differ.
+// Parts of a run, or its halves, differ if they are more than this many standard errors apart.
 constexpr double kFar = 2;
 constexpr double kFarHalves = 3;
 

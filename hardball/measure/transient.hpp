@@ -29,10 +29,10 @@ struct Transient {
 /// Looks for a transient in the most sensitive quantities: one sixteenth of the run after another is left out
 /// until one agrees within two standard errors with the second half of the run, and so does what is left of
 /// the first half, for each quantity. It is not over if none agrees, and the halves differ by more than three
-/// standard errors; so do they where samples are few, as far as groups tell errors. Where the error of the
-/// second half is not known, no transient can be detected. Source: Geweke, in Bayesian Statistics 4 (1992)
-/// 169, the comparison; Heidelberger and Welch, Oper. Res. 31 (1983) 1109, leaving out step by step, up to
-/// half.
+/// standard errors; this also holds where samples are few, as far as groups give errors. Where the error of
+/// the second half is not known, no transient can be detected. Source: Geweke, in Bayesian Statistics 4
+/// (1992) 169, the comparison; Heidelberger and Welch, Oper. Res. 31 (1983) 1109, leaving out step by step,
+/// up to half.
 Transient find_transient(const BlockAverage& average, std::span<const FunctionOfMeans> quantities,
                          BlockAverage::Groups groups = BlockAverage::Groups::none);
 

@@ -174,9 +174,9 @@ constexpr const char* kSource =
     "Helfand, Phys. Rev. 119 (1960) 1; Alder, Gass and Wainwright, J. Chem. Phys. 53 (1970) 3813; Enskog: "
     "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, chapter 16";
 
-// After so many mean free times what is left of correlations decays slowly. The velocities of single spheres
-// last longer than what all have together: at high density they change the slope by another percent after the
-// least time, which matters where runs are long enough to know it so well.
+// After this many mean free times what is left of correlations decays slowly. The velocities of single
+// spheres stay correlated longer than collective ones: at high density they change the slope by another
+// percent after the least time, which matters in runs long enough to resolve it.
 struct FreeTimes {
   double least;
   double wanted;

@@ -34,7 +34,7 @@ inline constexpr double kMomentBase = 0.125;
 
 /// What transport is measured in: a fluid of elastic spheres in equilibrium, periodic along all axes.
 struct TransportConditions {
-  /// Of the world at the time of the scene.
+  /// The conditions in the world of the scene, at its time.
   explicit TransportConditions(const Scene& scene);
 
   /// Why there is no coefficient; empty if there may be one.

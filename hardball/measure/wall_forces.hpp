@@ -34,7 +34,7 @@ class WallForces {
   explicit WallForces(const Scene& scene);
 
   void note(const Contact& contact);
-  /// Of the thermostat.
+  /// Records a change of velocity by the thermostat.
   void note(const VelocityChange& change);
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
@@ -53,7 +53,7 @@ class WallForces {
   // Bins of each wall.
   static constexpr std::size_t kForce = 0;  // along the normal [M L T^-2]
   static constexpr std::size_t kWork = 1;   // on spheres, per time [M L^2 T^-3]
-  static constexpr std::size_t kHeat = 2;   // likewise
+  static constexpr std::size_t kHeat = 2;   // given to spheres, per time [M L^2 T^-3]
   static constexpr std::size_t kBins = 3;
   // After them, the energy that the spheres store, per time: what work and heat change besides what impacts
   // and the thermostat take [M L^2 T^-3].

@@ -13,8 +13,8 @@ namespace hardball {
 /// Calls work(k) for each k below a count, perhaps for several at once, and returns when all have returned.
 using ForEach = Function<void(std::size_t count, const Function<void(std::size_t)>& work)>;
 
-/// The same for work that may throw. Error: when all have returned, what the first of those that have thrown
-/// has thrown, by k.
+/// Calls work(k) for each k below `count`, where work may throw, and returns when all have returned. Error:
+/// that of the least k whose call has thrown.
 inline void for_each_or_throw(const ForEach& for_each, std::size_t count,
                               const Function<void(std::size_t)>& work) {
   std::vector<std::exception_ptr> failures(count);

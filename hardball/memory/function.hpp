@@ -19,7 +19,7 @@ class Function;
 template <class Result, class... Arguments>
 class Function<Result(Arguments...)> {
  public:
-  /// Nothing.
+  /// An empty function.
   Function() = default;
   Function(std::nullptr_t) {}  // NOLINT(google-explicit-constructor)
   /// A copy of anything that can be called so; nothing, if it is a null pointer or an empty function.

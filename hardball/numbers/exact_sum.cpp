@@ -113,7 +113,7 @@ void ExactSum::trim() {
   if (digits_.empty()) first_ = 0;
 }
 
-// The same sum in its one form: nothing in the bins, the fewest digits, and none beside infinity or NaN.
+// This sum in canonical form: nothing in the bins, the fewest digits, and none beside infinity or NaN.
 ExactSum ExactSum::reduced() const {
   ExactSum sum;
   if (specials_ != 0) {

@@ -39,7 +39,8 @@ class HARDBALL_EXPORT Random {
 /// next.
 HARDBALL_EXPORT double portable_log(double x);
 
-/// The exponential function of a number, likewise; zero or infinite where the result is out of range.
+/// The exponential function of a number, to about one unit in the last place, without the C library; zero or
+/// infinite where the result is out of range.
 HARDBALL_EXPORT double portable_exp(double x);
 
 }  // namespace hardball

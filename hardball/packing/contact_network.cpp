@@ -14,7 +14,7 @@ void for_each_sphere(const ContactKey& bodies, Visit&& visit) {
   if (!bodies.is_wall) visit(bodies.second);
 }
 
-// Marks spheres with fewer contacts than hold them, again and again, as these hold nobody.
+// Marks spheres with fewer contacts than hold them, again and again, since such spheres support no others.
 void find_rattlers(ContactNetwork& network, std::size_t spheres, std::size_t least) {
   std::vector<std::vector<std::uint32_t>> contacts_of(spheres);
   for (std::uint32_t contact = 0; contact < network.contacts.size(); ++contact)

@@ -22,13 +22,13 @@ struct PackingContact {
   double force = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What holds a packing: who touches whom, and who rattles.
+/// The network of contacts that holds a packing, and its rattlers.
 struct ContactNetwork {
   /// Gaps up to this count as contacts, over the sum of the radii [1]; zero where spheres are too far apart
   /// for contacts to mean anything.
   double tolerance = 0;
   std::vector<PackingContact> contacts;  ///< By the first body, then the second; those of rattlers, too.
-  std::vector<bool> rattles;  ///< Of each sphere: it is not held by at least d + 1 others, or walls.
+  std::vector<bool> rattles;  ///< By sphere: whether it is not held by at least d + 1 others, or walls.
   std::size_t rattlers = 0;
   std::size_t backbone_contacts = 0;  ///< Without those of rattlers.
   /// Contacts of the backbone over the number that holds it with one state of stress: d for each sphere, less

@@ -25,8 +25,8 @@ struct HARDBALL_EXPORT Container {
 
   Shape shape = Shape::box;
   std::size_t dimensions = 3;           ///< 2 for discs: then a sphere is a circle.
-  Vec3 size = {};                       ///< Of the box around it [L]; z is zero in two dimensions.
-  std::array<bool, kAxes> has_walls{};  ///< Of a box: along which axes it has walls and is not periodic.
+  Vec3 size = {};                       ///< Size of the box around it [L]; z is zero in two dimensions.
+  std::array<bool, kAxes> has_walls{};  ///< The axes along which a box has walls and is not periodic.
 
   /// A box that is periodic along all axes.
   static Container periodic(const Vec3& size) { return {.size = size}; }
@@ -44,7 +44,7 @@ struct HARDBALL_EXPORT Container {
   bool is_periodic(std::size_t axis) const { return shape == Shape::box && !has_walls[axis]; }
   /// How many independent motions of all spheres together the walls allow: translations and rotations.
   std::size_t free_motions() const;
-  /// The same shape with all lengths multiplied.
+  /// This shape with all lengths multiplied by `factor`.
   Container scaled(double factor) const;
 
   friend bool operator==(const Container&, const Container&) = default;

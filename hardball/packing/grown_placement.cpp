@@ -21,12 +21,12 @@ namespace {
 
 // Of the packing fraction at which spheres jam. Denser ones would have to grow ever more slowly.
 constexpr double kMostOfJamming = 0.97;
-// Spheres grow by so much more than to their sizes that rounding makes none of them overlap.
+// Spheres grow slightly beyond their sizes, so that rounding makes none of them overlap.
 constexpr double kMargin = 1 + 0x1p-30;
 // The fractions of the work at which spheres have been placed at random, and have grown or locked.
 constexpr double kStarted = 0.1;
 constexpr double kTried = 0.7;
-// Growth is reported in so many steps.
+// Growth is reported in this many steps.
 constexpr std::size_t kSteps = 100;
 // Contacts between two reports.
 constexpr std::uint64_t kReported = 1 << 17;

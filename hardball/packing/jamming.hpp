@@ -22,11 +22,11 @@ inline double root(double volume, std::size_t exponent) {
 
 /// Mean and width of the sizes of spheres, and how much of the volume the largest make up.
 struct SizeStatistics {
-  double mean = 0;                 ///< Of the radii [L].
+  double mean = 0;                 ///< Mean of the radii [L].
   double largest = 0;              ///< [L]
   double mean_volume = 0;          ///< The mean of radius^dimensions [L^3], of discs [L^2].
   double deviation = 0;            ///< The standard deviation of radii over their mean [1].
-  std::size_t half_of_volume = 0;  ///< The largest so many make up half of the volume.
+  std::size_t half_of_volume = 0;  ///< The number of the largest spheres that make up half of the volume.
 };
 
 /// Cost: O(n log n). Precondition: there is a sphere.
@@ -38,8 +38,8 @@ SizeStatistics statistics_of(std::span<const double> radii, std::size_t dimensio
 /// greedily, with gaps in proportion to the shorter neighbor.
 double jamming_in_bulk(std::span<const double> radii, std::size_t dimensions);
 
-/// That packing fraction between the walls of a container, beside which fewer fit [1]. Source:
-/// docs/packing.md.
+/// The packing fraction at which spheres jam between the walls of a container, beside which fewer fit [1].
+/// Source: docs/packing.md.
 double plausible_packing_fraction(double in_bulk, const SizeStatistics& sizes, const Container& container);
 
 /// The rate at which spheres reach a packing fraction without locking before, given that which is plausible.

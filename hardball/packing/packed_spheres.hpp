@@ -22,7 +22,7 @@ struct NearPair {
   double gap = 0;    ///< Between their surfaces, to 2^-100 of the reach; negative if they overlap [L].
 };
 
-/// What files tell of spheres besides their positions and sizes, as it was in the file that they come from.
+/// What files hold of spheres besides their positions and sizes, as read from the start file.
 struct SphereLabels {
   std::vector<std::int64_t> ids;   ///< None if they are 0, 1, 2 and so on.
   std::vector<SpeciesId> species;  ///< None if all are of species 0.

@@ -224,8 +224,8 @@ void Packer::halve_speeds() {
   simulation_.change_velocities(edits);
 }
 
-// Runs on at constant size, until so many collisions of each sphere have been seen since the window began, or
-// for long enough; returns whether that is so.
+// Runs at constant size until each sphere has had this many collisions since the window began, or for long
+// enough; returns whether it is done.
 bool Packer::run_at_constant_size(double collisions) {
   const auto wanted = static_cast<std::uint64_t>(contacts_for(collisions));
   const std::uint64_t seen = contacts() - window_begin_;
@@ -235,7 +235,7 @@ bool Packer::run_at_constant_size(double collisions) {
   return contacts() - window_begin_ >= wanted || simulation_.time() >= patience_;
 }
 
-// Gives all spheres new velocities, of the temperature at the start, whoever had the energy.
+// Draws new velocities for all spheres, at the temperature of the start.
 void Packer::renew_velocities() {
   simulation_.stop_growing();
   Random random(plan_.seed + collisions());
@@ -364,8 +364,8 @@ void Packer::step() {
   const double change = step_ * (is_pressure ? change_to_pressure() : protocol::kStep / bearing_pressure());
   double next = std::min(present * power(1 + change, plan_.container.dimensions), end_fraction());
   if (is_pressure) {
-    // Between packing fractions of too low and of too high a pressure, until they have come so near to each
-    // other that spheres must have rearranged.
+    // Between packing fractions of too low and of too high a pressure, until the two are so close that
+    // spheres must have rearranged.
     (pressure_ < wanted_pressure() ? too_dilute_ : too_dense_) = present;
     constexpr double kResolved = 0.01;
     const double between = too_dense_ - too_dilute_;
@@ -458,8 +458,8 @@ void Packer::give_up_attempt() {
   grow(rate_, end_fraction());
 }
 
-// Where the count follows from the diameter, it is known only from packings: each says whether so many
-// spheres fit, and how many would. Returns whether packing begins anew with another number. Free volume
+// Where the count follows from the diameter, it is known only from packings: each shows whether this number
+// fits, and which number would. Returns whether packing starts again with another number. Free volume
 // vanishes as one over the pressure.
 bool Packer::begins_with_another_count() {
   const bool follows =

@@ -38,14 +38,14 @@ struct PackingMoment {
 class HARDBALL_EXPORT Packer {
  public:
   enum class State : std::uint8_t {
-    filling,   ///< Growing fast while the fluid is dilute.
-    growing,   ///< At the rate planned.
-    relaxing,  ///< At constant size, between steps of growth.
-    stepping,  ///< Such a step.
-    weighing,  ///< At constant size, for the last pressure and the forces.
-    reached,   ///< As dense as planned.
-    jammed,    ///< As dense as they get.
-    locked,    ///< They could not be made as dense as planned.
+    filling,   ///< Spheres grow fast while the fluid is dilute.
+    growing,   ///< Spheres grow at the rate planned.
+    relaxing,  ///< Sizes are constant between steps of growth.
+    stepping,  ///< Spheres grow by one step.
+    weighing,  ///< Sizes are constant for the last pressure and the forces.
+    reached,   ///< Spheres are as dense as planned.
+    jammed,    ///< Spheres are as dense as they get.
+    locked,    ///< Spheres could not be made as dense as planned.
   };
 
   /// Places the spheres. Error: they cannot be placed; they overlap at the start.
@@ -60,7 +60,7 @@ class HARDBALL_EXPORT Packer {
   const Simulation& simulation() const { return simulation_; }
   /// Whether packing ended because the largest sphere just fits.
   bool has_no_room() const { return has_no_room_; }
-  /// Of the spheres as they are [1].
+  /// The packing fraction at the present sizes [1].
   double packing_fraction() const;
   /// PV/NkT of the median sphere in the last window [1]; NaN before the first.
   double pressure() const { return pressure_; }
@@ -75,12 +75,12 @@ class HARDBALL_EXPORT Packer {
   /// The share of the run that is done, by what was expected [1].
   double share_done() const;
 
-  /// The whole state, from which `load` goes on to the same history. Cost: O(n).
+  /// The whole state, from which `load` continues to the same history. Cost: O(n).
   std::string save() const;
   /// Error: the bytes are not from `save`.
   static Packer load(std::string_view bytes, const std::string& where);
 
-  /// Lets so many threads share the work; affects only the speed.
+  /// Lets `threads` threads share the work; affects only the speed.
   void set_threads(std::size_t threads) { simulation_.set_threads(threads); }
 
  private:

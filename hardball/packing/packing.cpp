@@ -36,7 +36,7 @@ PackedSpheres spheres_of(const Packer& packer) {
   return spheres;
 }
 
-// Makes all lengths so many times as large.
+// Multiplies all lengths by a factor.
 void multiply(PackedSpheres& spheres, double factor) {
   spheres.container = spheres.container.scaled(factor);
   for (Vec3& position : spheres.positions) position = factor * position;
@@ -51,7 +51,7 @@ double resolution(const PackedSpheres& spheres, std::size_t axis) {
   return std::ldexp(1, std::ilogb(std::max(std::fabs(low), std::fabs(high))) - kBits);
 }
 
-// What files add to positions: the corner of the box, so far as it is resolved.
+// What files add to positions: the corner of the box, as far as it is resolved.
 Vec3 origin_of(const PackedSpheres& spheres) {
   Vec3 origin;
   for (std::size_t axis = 0; axis < spheres.container.dimensions; ++axis) {
@@ -63,8 +63,8 @@ Vec3 origin_of(const PackedSpheres& spheres) {
   return origin;
 }
 
-// Makes positions such that nothing is rounded when the origin is added, and edges those that readers find.
-// Returns a factor for radii that makes up for the corner, where that is not resolved.
+// Adjusts positions so that adding the origin rounds nothing, and edges to those that readers find. Returns a
+// factor for radii that makes up for the corner, where that is not resolved.
 double round_to_origin(PackedSpheres& spheres) {
   Container& container = spheres.container;
   double lost = 0;
@@ -111,7 +111,7 @@ std::vector<Image> crossings(const Box& box, const std::vector<Vec3>& before,
   return images;
 }
 
-// The forces of a network by contact, of spheres that have been moved by so many boxes.
+// The forces of a network by contact, for spheres that have been moved by these numbers of boxes.
 std::unordered_map<ContactKey, double> forces_of(const ContactNetwork& network,
                                                  const std::vector<Image>& moved) {
   std::unordered_map<ContactKey, double> forces;
@@ -146,7 +146,7 @@ ContactNetwork network_now(const Packing& packing, const std::vector<Vec3>& posi
     constexpr double kUnit = 0x1p-24;
     within += 4 * kUnit * std::max({size.x, size.y, size.z}) / std::ranges::min(spheres.radii);
   }
-  // More than the rounding of whoever computes gaps.
+  // More than the rounding of any program that computes gaps.
   constexpr double kRounding = 1e-9;
   double widest = widest_contact(spheres, forces, before.tolerance, within * (1 + kRounding));
   if (widest > before.tolerance) widest *= 1 + kRounding;

@@ -20,25 +20,25 @@ namespace hardball {
 /// Spheres that have been packed, at rest, and what is known about them.
 struct HARDBALL_EXPORT Packing {
   enum class Status : std::uint8_t {
-    reached,      ///< As dense as wanted.
-    jammed,       ///< As dense as they get, which was wanted.
+    reached,      ///< Spheres are as dense as wanted.
+    jammed,       ///< Spheres are as dense as they get, which was wanted.
     not_reached,  ///< Less dense than wanted; see `reason`.
   };
 
   Status status = Status::not_reached;
   std::string reason;         ///< Why packing ended where it did, in a sentence.
-  double suggested_rate = 0;  ///< With which more may be reached, as in GrowthRules; zero if none is known.
+  double suggested_rate = 0;  ///< A rate that may reach more, as in GrowthRules; zero if none is known.
   PackedSpheres spheres;
-  /// By which factor radii were reduced so that nothing overlaps in the numbers as they are written, and
-  /// whatever gap or diameter was wanted is there [1].
+  /// The factor by which radii were reduced so that nothing overlaps in the numbers as they are written, with
+  /// the gap or diameter wanted [1].
   double shrink = 1;
   double largest_overlap = 0;  ///< In the numbers as they are written, over the sum of the radii [1].
-  double smallest_gap = 0;     ///< Between two bodies, likewise [1].
+  double smallest_gap = 0;     ///< Between two bodies as written, over the sum of the radii [1].
   double pressure =
       std::numeric_limits<double>::quiet_NaN();  ///< PV/NkT of the median sphere before `shrink` [1].
   double rate = 0;                               ///< The last one, as in GrowthRules.
   std::uint64_t collisions = 0;
-  ContactNetwork network;    ///< Of the numbers as they are written.
+  ContactNetwork network;    ///< Contacts counted in the numbers as they are written.
   bool is_polished = false;  ///< Whether its last gaps were removed, see polish().
   double crystalline = 0;    ///< The share of spheres in crystals, see crystalline_share [1].
   std::vector<PackingMoment> history;

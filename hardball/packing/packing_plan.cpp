@@ -152,7 +152,7 @@ void warn(PackingPlan& plan, const SizeStatistics& sizes) {
   if (sizes.half_of_volume < kFew && plan.radii.size() > 2 * kFew) {
     plan.warnings.push_back(
         "the largest " + to_text(sizes.half_of_volume) + " of " + to_text(plan.radii.size()) +
-        " spheres make up half of the volume; what they do decides, and differs from seed to seed");
+        " spheres make up half of the volume, so the result depends on them and differs from seed to seed");
   }
   if (plan.is_narrow()) {
     plan.warnings.push_back(

@@ -21,24 +21,24 @@ struct HARDBALL_EXPORT PackingPlan {
 
   PackingRequest::Goal goal;
   Follows follows = Follows::diameter;
-  Container container;  ///< In which spheres grow; its size may be changed in the end.
-  std::vector<double>
-      radii;                ///< Of the goal, before gaps are left; where it is no fraction, about those [L].
-  std::vector<Vec3> start;  ///< Where the centers are; random if empty [L].
+  Container container;  ///< Container in which spheres grow; its size may be changed at the end.
+  /// Radii at the goal, before gaps are left; approximate if the goal is not a fraction [L].
+  std::vector<double> radii;
+  std::vector<Vec3> start;    ///< Where the centers are; random if empty [L].
   double start_fraction = 0;  ///< The packing fraction at which growth starts [1].
   double diameter = 0;        ///< The mean before gaps are left, unless it follows [L].
   std::optional<RadiusDistribution> distribution = {};  ///< From which radii were drawn.
   double plausible = 0;        ///< The packing fraction at which such spheres can be expected to jam [1].
   double rate = 0;             ///< As in GrowthRules.
-  bool is_rate_given = false;  ///< So that it is not lowered if spheres lock.
+  bool is_rate_given = false;  ///< Then it is not lowered if spheres lock.
   double gap = 0;  ///< As in PackingRequest: spheres grow until they have no gaps, and are reduced then.
   std::uint64_t seed = 1;
-  std::vector<std::string> warnings = {};  ///< What about the request is doubtful, a sentence each.
-  SphereLabels labels = {};                ///< Of the spheres of a start.
+  std::vector<std::string> warnings = {};  ///< Doubtful points of the request, a sentence each.
+  SphereLabels labels = {};                ///< Labels of the spheres of a start.
 
   /// The packing fraction of the goal, or the plausible one, before gaps are left [1].
   double expected_fraction() const;
-  /// That of the packing when gaps are left [1].
+  /// The packing fraction of the packing when gaps are left [1].
   double final_fraction() const;
   /// Whether the container is so narrow, in diameters of the largest sphere, that its width decides how dense
   /// spheres become: then `plausible` means little.
@@ -58,7 +58,7 @@ struct HARDBALL_EXPORT PackingPlan {
 /// packing; a number is out of range; no such packing exists.
 HARDBALL_EXPORT PackingPlan plan(const PackingRequest& request);
 
-/// The same plan for another number of spheres, where that follows from the rest. Precondition: radii are not
+/// A plan for another number of spheres, where that number follows from the rest. Precondition: radii are not
 /// listed.
 PackingPlan with_count(const PackingPlan& plan, std::size_t count);
 

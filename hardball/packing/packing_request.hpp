@@ -22,7 +22,7 @@ struct PackingRequest {
     friend bool operator==(const Densest&, const Densest&) = default;
     static void persist(auto& /*archive*/, auto& /*self*/) {}
   };
-  /// So dense that PV/NkT, that of the median sphere, is this high [1].
+  /// As dense as it takes for PV/NkT of the median sphere to be this high [1].
   struct Pressure {
     double compressibility = 0;
 
@@ -37,16 +37,16 @@ struct PackingRequest {
   std::optional<double> diameter = {};
   /// How radii are distributed about their mean; equal if not given. A mean of 1 will do.
   std::optional<RadiusDistribution> distribution = {};
-  std::vector<double> radii = {};           ///< Instead, each one [L].
+  std::vector<double> radii = {};           ///< Listed radii, instead [L].
   std::optional<Container> container = {};  ///< A periodic cube if not given.
-  bool is_container_size_free = false;      ///< Its edges are only proportions.
+  bool is_container_size_free = false;      ///< Edges of the container are only proportions.
   std::optional<Goal> goal = {};
   /// How fast spheres grow, in the unit of GrowthRules::rate; chosen by the goal if not given.
   std::optional<double> rate = {};
-  /// By which fraction radii are reduced in the end, beyond what rounding takes [1]. Count, diameter,
+  /// The fraction by which radii are reduced in the end, beyond what rounding takes [1]. Count, diameter,
   /// container and packing fraction are those of the reduced spheres.
   double gap = 0;
-  std::uint64_t seed = 1;  ///< Of sizes, positions and velocities.
+  std::uint64_t seed = 1;  ///< Seed of sizes, positions and velocities.
   /// Spheres that grow from where they are, in the box of the snapshot; their number, sizes and container are
   /// not given otherwise.
   std::optional<Snapshot> start = {};

@@ -12,11 +12,11 @@ inline constexpr double kStartOfDiscs = 0.4;
 /// Growth to the first pressure is as fast as this: a fluid forgets it.
 inline constexpr double kFillingRate = 0.1;
 inline constexpr double kFilled = 10;
-/// A pressure is averaged over so many collisions at least.
+/// A pressure is averaged over at least this many collisions.
 inline constexpr double kWindow = 10;
 /// From this pressure on spheres that are to jam relax at constant size between steps of growth.
 inline constexpr double kRelaxedFrom = 1e3;
-/// Such a step multiplies sizes by one plus this over the pressure.
+/// A step of growth multiplies sizes by one plus this over the pressure.
 inline constexpr double kStep = 0.2;
 /// Collisions before the window in which the pressure is measured.
 inline constexpr double kRelaxation = 30;
@@ -28,16 +28,16 @@ inline constexpr double kWeighing = 100;
 inline constexpr double kLocked = 1e4;
 /// How often packing begins anew with another number of spheres, where that follows from their diameter.
 inline constexpr int kRecounts = 12;
-/// A pressure is reached between that wanted and so many times it, and sought so far between the two.
+/// A pressure is reached between the pressure wanted and this many times it; the aim is kSought times it.
 inline constexpr double kHighest = 1.1;
 inline constexpr double kSought = 1.05;
-/// That takes some so many collisions.
+/// Collisions that reaching a pressure takes.
 inline constexpr double kApproach = 400;
-/// So near to a packing fraction spheres that have jammed have reached it: it is that at which they jam.
+/// Spheres that jam within this distance of the packing fraction wanted have reached it.
 inline constexpr double kExact = 1e-8;
-/// How often the rate is halved when they have.
+/// How often the rate is halved when spheres have locked.
 inline constexpr int kAttempts = 3;
-/// Lower rates are for those who ask for them.
+/// The least rate that is chosen automatically.
 inline constexpr double kSlowest = 1e-3;
 
 }  // namespace hardball::protocol

@@ -14,8 +14,8 @@
 namespace hardball {
 
 /// Centers for spheres of these radii [L] in a region of a world without spheres, between its surfaces at
-/// time zero; or for smaller ones in proportion, if so many do not fit at random. `radii` are reduced to
-/// those that do. Error, with `where` as its place: as for place_randomly.
+/// time zero; or for spheres that are smaller in proportion, if these do not fit at random: `radii` are
+/// reduced accordingly. Error, with `where` as its place: as for place_randomly.
 std::vector<Vec3> place_shrunken(const World& empty, const Region& region, std::vector<double>& radii,
                                  Random& random, const std::string& where, const Progress& progress);
 

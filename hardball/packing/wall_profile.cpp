@@ -71,7 +71,7 @@ class Shell {
   std::size_t rings_ = 1;
 };
 
-// The share of a ring that is within a sphere whose center is so far from the axis.
+// The share of a ring that is within a sphere whose center is at this distance from the axis.
 double share_within(const Ring& ring, double from_axis, double height, double radius) {
   const double above = ring.height - height;
   const double square = radius * radius - above * above;

@@ -11,7 +11,7 @@ namespace hardball {
 
 /// How densely spheres fill a container at each distance from its curved wall.
 struct WallProfile {
-  double width = 0;  ///< Of a step of the distance, 1/25 of the mean diameter or a little less [L].
+  double width = 0;  ///< Width of a step of the distance, 1/25 of the mean diameter or a little less [L].
   /// The share of the surface at the distance (k + 1/2) width from the wall that is within spheres [1]; the
   /// porosity is one less this.
   std::vector<double> packing_fraction;

@@ -186,7 +186,7 @@ void FreeSpace::exclude_row(std::int64_t y, std::int64_t z, std::int64_t begin, 
   exclude_part(y, z, 0, first + length - count_[0]);
 }
 
-// The same of what lies in the region.
+// Excludes a part of a row that lies in the region.
 void FreeSpace::exclude_part(std::int64_t y, std::int64_t z, std::int64_t begin, std::int64_t end) {
   for (std::int64_t x = begin >> 3; 8 * x < end; ++x) {
     const std::int64_t first = std::max(begin - 8 * x, std::int64_t{0});

@@ -123,7 +123,7 @@ class SequentialAddition {
   }
 
  private:
-  // How finely the region is divided: at most so many voxels to a radius, and to a sphere.
+  // How finely the region is divided: at most this many voxels to a radius, and to a sphere.
   struct Voxels {
     double per_radius;
     std::size_t per_sphere;
@@ -217,7 +217,7 @@ class SequentialAddition {
   std::optional<FreeSpace> space_;  // once tries have failed
   std::size_t failed_tries_ = 0;    // since then
   static constexpr int kAhead = 32;
-  int looked_ahead_ = 0;    // by so many centers
+  int looked_ahead_ = 0;    // by this many centers
   Random ahead_ = random_;  // as it will be then, as long as centers are drawn anywhere
 };
 
@@ -252,7 +252,7 @@ class PlacementProgress {
     return fraction + 0.1 * tries;
   }
 
-  // So few that each is reported.
+  // Few enough that each is reported.
   static constexpr std::size_t kSteps = 127;
 
   const Progress& progress_;

@@ -33,7 +33,7 @@ double draw_lognormal(const RadiusDistribution& d, Random& random) {
 double powerlaw_quantile(const RadiusDistribution& d, double u) {
   const double a = d.exponent + 1;
   const double span = portable_log(d.max / d.min);
-  // So near to a uniform logarithm that no sample shows the difference.
+  // Close enough to a uniform logarithm that no sample shows the difference.
   constexpr double kFlat = 1e-8;
   double radius = 0;
   if (std::fabs(a * span) < kFlat) {
@@ -42,7 +42,7 @@ double powerlaw_quantile(const RadiusDistribution& d, double u) {
     const double left = 1 - u * (1 - portable_exp(a * span));
     radius = left < kSmallestMagnitude ? d.max : d.min * portable_exp(portable_log(left) / a);
   } else {
-    // The same, with no power that overflows.
+    // The formula above, arranged so that no power overflows.
     const double least = portable_exp(-a * span);
     const double share = least + u * (1 - least);
     radius = share < kSmallestMagnitude ? d.min : d.max * portable_exp(portable_log(share) / a);

@@ -19,18 +19,18 @@ struct RadiusDistribution {
     uniform,    ///< Evenly from min to max.
     lognormal,  ///< ln(radius) is normal; radii outside min to max are redrawn.
     powerlaw,   ///< From min to max, with a density that is proportional to radius^exponent.
-    discrete,   ///< Each of the values as often as its weight says, exactly, in random order.
-    file,       ///< As the lines of a file say.
+    discrete,   ///< Each value exactly as often as its weight says, in random order.
+    file,       ///< The lines of a file.
   };
 
   Kind kind = Kind::uniform;
   double min = 0;                    ///< [L]
   double max = 0;                    ///< [L]
-  double mean = 0;                   ///< Of the radius, before any is redrawn [L]: lognormal.
+  double mean = 0;                   ///< Mean of the radius, before any is redrawn [L]: lognormal.
   double sigma = 0;                  ///< The standard deviation of ln(radius) [1]: lognormal.
   double exponent = 0;               ///< [1]: powerlaw.
   std::vector<double> values = {};   ///< [L]: discrete.
-  std::vector<double> weights = {};  ///< Of the values [1]: discrete.
+  std::vector<double> weights = {};  ///< Weights of the values [1]: discrete.
   std::filesystem::path file = {};
   std::string where = {};  ///< What names it in messages: a place in a scenario, or an argument.
 
@@ -47,9 +47,9 @@ struct RadiusDistribution {
 HARDBALL_EXPORT std::vector<double> draw_radii(const RadiusDistribution& distribution, std::size_t count,
                                                Random& random);
 
-/// Radii of `count` spheres [L] that follow the distribution as evenly as so many can, in random order: where
-/// it lies between min and max with a density, each radius stands for an equal share of it, and their mean is
-/// that of the distribution. All others are as draw_radii returns them. Error: as for draw_radii.
+/// Radii of `count` spheres [L] that follow the distribution as evenly as `count` radii can, in random order:
+/// where it lies between min and max with a density, each radius stands for an equal share of it, and their
+/// mean is that of the distribution. All others are as draw_radii returns them. Error: as for draw_radii.
 HARDBALL_EXPORT std::vector<double> spread_radii(const RadiusDistribution& distribution, std::size_t count,
                                                  Random& random);
 

@@ -12,7 +12,7 @@
 
 namespace hardball {
 
-/// Processes that run one system together, each with a part of it: perhaps on several machines.
+/// The processes that share one simulation, each with a part of it, perhaps on several machines.
 ///
 /// All of them call the same functions in the same order; a function returns in each when it has heard from
 /// those that it needs.
@@ -20,7 +20,7 @@ class HARDBALL_EXPORT Processes {
  public:
   virtual ~Processes() = default;
 
-  /// Which of them this one is; the first is 0.
+  /// The rank of this process; the first is 0.
   virtual std::size_t rank() const = 0;
   virtual std::size_t size() const = 0;
   bool is_first() const { return rank() == 0; }
@@ -56,7 +56,7 @@ class HARDBALL_EXPORT Processes {
   std::vector<std::size_t> others() const;
 };
 
-/// One process alone, which hears of nobody.
+/// A single process.
 HARDBALL_EXPORT Processes& one_process();
 
 }  // namespace hardball

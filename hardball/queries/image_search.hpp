@@ -28,10 +28,10 @@ inline constexpr Slot kNoSlot = std::numeric_limits<Slot>::max();
 // More than sums and products of a few numbers are rounded by.
 inline constexpr double kRounding = 0x1p-40;
 
-// After so many intervals a search is given up, as is a sphere that crosses so many boxes.
+// A search is given up after this many intervals, and a sphere after crossing this many boxes.
 inline constexpr double kMaxIntervals = 1 << 30;
 
-// A part of the way: from so much time after the moment of the query to so much [T], or for rays [L].
+// A part of the way: its begin and end, in time after the moment of the query [T], or for rays in length [L].
 struct Interval {
   double begin;
   double end;
@@ -122,8 +122,8 @@ void search_in_intervals(Stride&& stride, double end, Search&& search) {
   throw RunFailure("a search has crossed half the periodic box 2^30 times; search less far");
 }
 
-// Notes other spheres that are touched in an interval, as seen from a body at `from`; `wait_of(slot, other)`
-// is the time until an image is touched. Sizes do not change.
+// Records other spheres that are touched in an interval, as seen from a body at `from`; `wait_of(slot,
+// other)` is the time until an image is touched. Sizes do not change.
 template <class StateAt, class WaitOf>
 void note_spheres(const World& world, const Time& start, const State& from, double radius, Slot self,
                   const StateAt& state_at, const WaitOf& wait_of, Interval during, First& first) {

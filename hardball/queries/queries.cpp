@@ -40,7 +40,8 @@ double time_to_begin(const World& world, const Time& now, SphereId id, SphereId 
   return is_recorded(contact, world.last_passage()) ? kInfinity : wait;
 }
 
-// What a sphere on a path that starts now meets first; `pass(slot)` tells through which others it passes.
+// The first body that a sphere touches on a path that starts now; `pass(slot)` says through which others it
+// passes.
 template <class Pass>
 std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slot self, const Path& path,
                                             double radius, const Pass& pass, const Time& until) {
@@ -97,7 +98,7 @@ double time_to_enter(const Relative& other) {
   return is_inside ? kInfinity : time_to_touch(other);
 }
 
-// The surface at rest as it is at this moment.
+// The surface at rest, where it is at this moment.
 Surface at_rest(const Surface& surface, const Time& now) {
   const Vec3 point = surface.point() + (now.high * surface.velocity() + now.low * surface.velocity());
   return std::visit(
@@ -135,7 +136,7 @@ double distance_to_face(const Box& box, const Vec3& point, std::size_t axis, boo
   return upper ? box.size()[axis] - point[axis] : point[axis];
 }
 
-// Notes the walls that a ray hits in an interval.
+// Records the walls that a ray hits in an interval.
 void note_walls(const World& world, const Time& now, const Path& path, const Interval& during, First& first) {
   const Box& box = world.box();
   const auto note = [&](double distance, std::uint32_t number, const Vec3& separation) {

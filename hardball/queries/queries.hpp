@@ -28,7 +28,7 @@ struct NextContact {
   friend bool operator==(const NextContact&, const NextContact&) = default;
 };
 
-/// Where a ray ends.
+/// What a ray hits, and where.
 struct RayHit {
   EventKind kind = EventKind::collision;  ///< What is hit: a sphere (collision) or a wall.
   std::uint32_t body = 0;                 ///< The id of the sphere, or the number of the wall.
@@ -55,8 +55,8 @@ struct Clearance {
 HARDBALL_EXPORT std::optional<NextContact> first_contact(const World& world, const Time& now, SphereId id,
                                                          const Vec3& velocity, const Time& until);
 
-/// The same for a sphere that is not in the world; `first` is kNoSphere. What it overlaps and approaches, it
-/// hits now. Error: see World::add.
+/// The first contact of a sphere that is not in the world; `first` is kNoSphere. It hits now what it overlaps
+/// and approaches. Error: see World::add.
 HARDBALL_EXPORT std::optional<NextContact> first_contact(const World& world, const Time& now,
                                                          const Sphere& sphere, const Time& until);
 

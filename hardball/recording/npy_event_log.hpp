@@ -19,7 +19,7 @@ HARDBALL_EXPORT const NpyField* time_in_event_log(const NpyHeader& header);
 /// How far an event log has been written: what is needed to truncate and continue it.
 struct EventLogPosition {
   std::uint64_t records = 0;
-  std::optional<std::uint64_t> checksum = {};  ///< Of the last records; not known of devices.
+  std::optional<std::uint64_t> checksum = {};  ///< Checksum of the last records; unknown for devices.
 
   friend bool operator==(const EventLogPosition&, const EventLogPosition&) = default;
   static void persist(auto& archive, auto& self) { archive(self.records, self.checksum); }
@@ -53,8 +53,8 @@ class HARDBALL_EXPORT NpyEventLog {
   /// it more often. Error (RunFailure): as for append.
   void flush();
 
-  /// The same, waits until all is on the disk, and returns how to continue from here. Error (RunFailure): as
-  /// for append.
+  /// Completes the file for readers, waits until all is on the disk, and returns how to continue from here.
+  /// Error (RunFailure): as for append.
   EventLogPosition position();
 
   /// Completes and closes the file; does nothing if it is closed. Error (RunFailure): as for append.

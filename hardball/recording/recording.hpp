@@ -73,13 +73,13 @@ struct RecordedSurface {
   };
 
   Shape shape = Shape::plane;
-  Vec3 point = {};                         ///< Of the plane or the axis at time 0, center or apex [L].
-  Vec3 direction = {0, 0, 1};              ///< Unit normal of a plane, unit vector along an axis [1].
-  double radius = 0;                       ///< [L]; 0 for a plane or a cone.
-  double slope = 0;                        ///< Of a cone: its radius over the distance from the apex [1].
-  Vec3 velocity = {};                      ///< With which the point moves [L/T].
-  double amplitude = 0;                    ///< Of a plane's oscillation along its normal [L].
-  double frequency = 0;                    ///< Of that oscillation: cycles per time [1/T].
+  Vec3 point = {};             ///< A point of the plane or the axis at time 0, the center, or the apex [L].
+  Vec3 direction = {0, 0, 1};  ///< Unit normal of a plane, unit vector along an axis [1].
+  double radius = 0;           ///< [L]; 0 for a plane or a cone.
+  double slope = 0;            ///< Radius of a cone over the distance from its apex [1].
+  Vec3 velocity = {};          ///< Velocity of the point [L/T].
+  double amplitude = 0;        ///< Amplitude of a plane's oscillation along its normal [L].
+  double frequency = 0;        ///< Frequency of that oscillation, in cycles per time [1/T].
   std::optional<double> temperature = {};  ///< kT [M L^2 T^-2] of a thermal surface.
   double restitution = 1;                  ///< [1]; NaN if it is not one number.
 
@@ -101,13 +101,13 @@ struct RecordedForce {
 struct RecordingHeader {
   bool has_bodies = false;  ///< Whether spheres may spin, merge or pass through each other.
   bool has_growth = false;  ///< Whether spheres may grow.
-  std::size_t spheres = 0;  ///< Their ids are below this; without bodies, all of them exist at the start.
+  std::size_t spheres = 0;  ///< Ids are below this; without bodies, all spheres exist at the start.
   Box box = {};
   double begin = 0;                  ///< [T]
   std::optional<double> until = {};  ///< When the run is to end [T], if known.
   Vec3 cell_edge = {};               ///< Edges of a cell [L]; zero if there are no cells.
   Vec3 cell_origin = {};             ///< A corner of a cell [L].
-  std::string name = {};             ///< Of the scenario.
+  std::string name = {};             ///< Name of the scenario.
   double restitution = 1;            ///< [1]; NaN if it is not one number.
   Vec3 gravity = {};                 ///< Acceleration of all spheres [L/T^2].
   std::vector<RecordedSurface> surfaces = {};
@@ -197,7 +197,7 @@ struct HARDBALL_EXPORT RecordedContact {
   Vec3 first_position = {};   ///< Center, folded into the box [L].
   Vec3 first_velocity = {};   ///< [L/T]
   Vec3 second_position = {};  ///< Zero unless it is a collision.
-  Vec3 second_velocity = {};  ///< Likewise; zero if the spheres merge.
+  Vec3 second_velocity = {};  ///< [L/T]; zero unless it is a collision, and if the spheres merge.
   ContactOutcome outcome = ContactOutcome::bounce;
   Vec3 first_spin = {};   ///< [1/T]
   Vec3 second_spin = {};  ///< Zero unless it is a collision; zero if the spheres merge.
@@ -221,7 +221,7 @@ struct HARDBALL_EXPORT RecordedContact {
   RecordedEpoch epoch() const { return {time, first_position.x, first_position.y}; }
   /// Sets the paths of the contact's spheres to those after it. `paths`: by id.
   void rewrite(std::vector<RecordedPath>& paths) const;
-  /// The same for bodies; `paths`: those before the contact.
+  /// Sets the bodies of the contact's spheres to those after it. `paths`: those before the contact.
   void rewrite(std::vector<RecordedBody>& bodies, const std::vector<RecordedPath>& paths) const;
   friend bool operator==(const RecordedContact&, const RecordedContact&) = default;
 
@@ -238,15 +238,16 @@ struct HARDBALL_EXPORT RecordedChunk {
   double begin = 0;                       ///< [T]
   double end = 0;                         ///< [T]
   std::vector<RecordedPath> keyframe;     ///< By id: the paths at `begin`, before any contact of the chunk.
-  std::vector<RecordedBody> bodies;       ///< By id: likewise.
+  std::vector<RecordedBody> bodies;       ///< By id: the bodies at `begin`.
   std::vector<RecordedContact> contacts;  ///< In order.
-  RecordedEpoch epoch = {};               ///< Of the growth at `begin`.
+  RecordedEpoch epoch = {};               ///< The epoch of growth at `begin`.
 
   /// By id: the paths after all contacts up to `time` [T]. Precondition: begin <= time <= end.
   std::vector<RecordedPath> paths_at(double time) const;
-  /// By id: the bodies likewise; that of a sphere that has become part of another does not exist.
+  /// By id: the bodies after all contacts up to `time` [T]; a sphere that has become part of another has
+  /// none. Precondition: begin <= time <= end.
   std::vector<RecordedBody> bodies_at(double time) const;
-  /// What the radii of the bodies are to be multiplied by at `time`. Precondition: likewise.
+  /// The factor of the radii of the bodies at `time` [1]. Precondition: begin <= time <= end.
   double scale_at(double time) const;
 };
 

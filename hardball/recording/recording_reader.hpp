@@ -23,7 +23,7 @@ struct FileExtent {
   std::uint64_t length = 0;
 };
 
-/// Where a chunk lies in a recording, and the times it covers.
+/// The part of a recording that holds a chunk, and the times it covers.
 struct ChunkExtent {
   FileExtent bytes;
   std::uint32_t contacts = 0;
@@ -55,12 +55,12 @@ class HARDBALL_EXPORT RecordingReader {
   const std::vector<double>& radii() const { return radii_; }
   /// By id [M].
   const std::vector<double>& masses() const { return masses_; }
-  /// Where radii and masses lie in the file.
+  /// The part of the file that holds radii and masses.
   FileExtent spheres() const { return spheres_; }
 
   /// The complete chunks found so far, each starting where the previous one ends.
   const std::vector<ChunkExtent>& chunks() const { return chunks_; }
-  /// Where the last complete chunk ends in the file.
+  /// The end of the last complete chunk in the file.
   std::uint64_t length() const { return length_; }
   /// The time up to which the run is known [T].
   double reached() const { return chunks_.empty() ? header_.begin : chunks_.back().end; }

@@ -214,7 +214,7 @@ void RecordingWriter::note(const Contact& contact, const Simulation& simulation)
   note(contact);
 }
 
-// What a contact tells by itself.
+// What a contact says without the world.
 RecordedContact RecordingWriter::recorded(const Contact& contact) const {
   constexpr std::uint32_t kMaxIds = std::numeric_limits<std::int32_t>::max();
   HARDBALL_CHECK(contact.first < state_.keyframe.size() && contact.first <= kMaxIds &&

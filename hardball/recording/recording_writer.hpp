@@ -46,17 +46,18 @@ class HARDBALL_EXPORT RecordingWriter {
   /// included. Error (RunFailure): as for note.
   std::string save();
 
-  /// `world`: after the contact or change. Precondition: all contacts and changes are noted, in order; no
-  /// sphere is added or removed but by a merger, which needs bodies. Error (RunFailure): the file cannot be
-  /// written.
+  /// Records a contact or a change. `world`: after it. Precondition: all contacts and changes are recorded,
+  /// in order; no sphere is added or removed but by a merger, which needs bodies. Error (RunFailure): the
+  /// file cannot be written.
   void note(const Contact& contact, const World& world);
-  /// The same of a contact in which no spheres merge.
+  /// Records a contact in which no spheres merge. Error (RunFailure): the file cannot be written.
   void note(const Contact& contact);
-  /// The same of a contact of a simulation, which is asked for the world only if spheres merge: for
-  /// Observer::contact.
+  /// Records a contact of a simulation, which is asked for the world only if spheres merge: for
+  /// Observer::contact. Error (RunFailure): the file cannot be written.
   void note(const Contact& contact, const Simulation& simulation);
   void note(const VelocityChange& change, const World& world);
-  /// An epoch of growth has begun. Precondition: likewise; the header says that spheres may grow.
+  /// Records an epoch of growth that has begun. Precondition: the header says that spheres may grow. Error
+  /// (RunFailure): the file cannot be written.
   void note(const Growth& epoch);
 
   /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts at the time of
@@ -68,8 +69,8 @@ class HARDBALL_EXPORT RecordingWriter {
   /// nothing if it is closed. Error (RunFailure): as for note.
   void close(double time);
 
-  /// Closes the file, if it is open and anything was called, at the last contact noted, as far as possible;
-  /// errors are ignored.
+  /// Closes the file, if it is open and anything was called, at the last contact recorded, as far as
+  /// possible; errors are ignored.
   ~RecordingWriter();
   RecordingWriter(RecordingWriter&&) noexcept = default;
 

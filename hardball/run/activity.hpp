@@ -10,7 +10,7 @@ class Activity {
  public:
   enum class Kind {
     none,
-    running,    ///< Events are being handled; the response, or who hears of velocities, may be running.
+    running,    ///< Events are being handled; the response, or an observer of velocities, may be running.
     listening,  ///< The listener is running.
     measuring,  ///< The listener is running, and measures depend on the spheres.
   };

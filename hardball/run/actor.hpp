@@ -23,8 +23,8 @@ struct Action {
   std::optional<Growth> epoch = {};  ///< How spheres grow from then on, if that changes.
 };
 
-/// Who acts on a run at times of its own: each time after all contacts that round to the same double as that
-/// time, or an earlier one, and before all others.
+/// An actor changes a run at times of its own. It acts after all contacts whose times round to the same
+/// double as its own time or an earlier one, and before all others.
 class Actor {
  public:
   static constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
@@ -35,10 +35,10 @@ class Actor {
   virtual std::string_view deed() const = 0;
   /// When it acts next; kNever for never.
   virtual Time next() const = 0;
-  /// What it does at `moment`, which rounds to next(). Cost: that of the actor. Error: likewise.
+  /// What it does at `moment`, which rounds to next(). Cost: that of the actor. Error: that of the actor.
   virtual Action act(const World& world, const Tally& tally, const Time& moment) = 0;
 
-  /// After so many more contacts, at least one, it acts even if its time has not come.
+  /// The number of further contacts, at least one, after which it acts even if its time has not come.
   virtual std::uint64_t contacts_left(const Tally&, std::size_t /*spheres*/) const { return kAnyNumber; }
   /// To be called when the contacts so far are these, the last at `moment`: if there were enough, next()
   /// rounds to that.

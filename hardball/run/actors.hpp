@@ -41,17 +41,17 @@ class ThermostatActor final : public Actor {
   void note_removed(SphereId sphere) override;
 };
 
-/// All who act on a run, a new kind of actor included: the one place that knows them by name.
+/// The actors of a run: the one place that knows them by name, where a new kind of actor is added.
 class Actors {
  public:
   GrowthActor growth;
   ThermostatActor thermostat;
 
-  /// In the order in which they act at the same time.
+  /// All actors, in the order in which they act at the same time.
   std::array<Actor*, 2> all() { return {&growth, &thermostat}; }
   std::array<const Actor*, 2> all() const { return {&growth, &thermostat}; }
 
-  /// Who acts next.
+  /// The actor that acts next.
   Actor& next();
   const Actor& next() const;
   /// The least number of contacts after which one of them acts.

@@ -18,8 +18,8 @@
 
 namespace hardball {
 
-/// Keeps the engine that suits the world: chooses its kind and the size of its cells or lists, and again
-/// where the spheres have changed so much that others would be faster. In several processes all choose alike.
+/// Keeps the engine that suits the world: chooses its kind and the size of its cells or lists, and again when
+/// the spheres have changed so much that others would be faster. In several processes all choose alike.
 class EngineManager {
  public:
   /// `kind` and `counters` are those of an engine to be continued. Error: invalid options; see EngineOptions.
@@ -32,7 +32,7 @@ class EngineManager {
   void start(World world, const Time& now, const Progress& progress = {});
   /// Makes the engine for a system of which each process brings some of the spheres, as they are at `now`;
   /// all are brought once. `empty`: the world without spheres. Error: see choose_engine; the box is too small
-  /// for so many processes.
+  /// for this many processes.
   void start(World empty, Travelers brought, const Time& now);
 
   EngineBase& engine() { return *engine_; }
@@ -59,7 +59,7 @@ class EngineManager {
   void review_if_due(const Time& now);
   /// Rebuilds all regions and predictions as of `moment`, with the engine that suits the world best.
   void rebuild(const Time& moment);
-  /// Replaces the engine by one with so many threads; see EngineOptions::threads.
+  /// Replaces the engine by one with this many threads; see EngineOptions::threads.
   void set_threads(std::size_t threads, const Time& now);
 
  private:
@@ -75,7 +75,7 @@ class EngineManager {
   WindowCounters windows_before_;
   CellEdgeWatch watch_;
   std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
-  std::uint64_t next_review_ = 0;      // at so many crossings and contacts
+  std::uint64_t next_review_ = 0;      // at this number of crossings and contacts
   Time last_review_;
   GasStatistics reviewed_;  // for which the kind of engine was last reviewed
 };

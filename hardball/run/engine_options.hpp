@@ -35,16 +35,16 @@ struct EngineOptions {
   /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine,
   /// less than the largest diameter.
   std::optional<double> cell_edge = {};
-  /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
-  /// are_meaningful.
+  /// Unit costs from which the cell edge is chosen; measure_unit_costs returns those of this machine. Error:
+  /// not are_meaningful.
   UnitCosts unit_costs = {};
   /// How many threads work on one system; zero for as many as pay, of which there is one where they cannot
   /// share the work. Error: more than 1,024; several where spheres merge, the response is a function, there
   /// are potentials of steps, or the box is sheared.
   std::size_t threads = 1;
-  /// Instead of `threads`, for tests and measurements: a division into domains.
+  /// A division into domains that replaces `threads`, for tests and measurements.
   std::optional<Division> division = {};
-  /// Used to compute contact times; if absent, the widest available. Error: not available.
+  /// Instructions that compute contact times; if absent, the widest available. Error: not available.
   std::optional<InstructionSet> instructions = {};
 };
 

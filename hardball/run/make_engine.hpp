@@ -18,7 +18,7 @@ namespace hardball {
 PhaseSettings phase_settings(EngineKind engine, const EngineOptions& options, double length);
 
 /// Makes an engine for a world as it is at `now`, which all processes have whole. Error: the box is too small
-/// for so many processes.
+/// for this many processes.
 std::unique_ptr<EngineBase> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                         double length, const Time& now, Processes& processes = one_process(),
                                         const Progress& progress = {});

@@ -9,7 +9,7 @@
 
 namespace hardball {
 
-/// Who observes a run without a say in it; see Simulation::observe. Each function may be empty.
+/// An observer of a run, which cannot change it; see Simulation::observe. Each function may be empty.
 struct Observer {
   /// Called with every contact, in their order, but perhaps when later ones have happened already.
   Function<void(const Contact&)> contact = {};

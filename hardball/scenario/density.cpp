@@ -27,7 +27,7 @@ SphereGroup one_of(SphereGroup group) {
   return group;
 }
 
-// Error: so many radii are to be drawn that reading a scenario would take long.
+// Error: too many radii are to be drawn for reading a scenario quickly.
 void check_draws(const Scenario& scenario) {
   constexpr std::size_t kMost = 10'000'000;
   for (const SphereGroup& group : scenario.spheres) {

@@ -257,7 +257,7 @@ std::optional<std::size_t> parse_index(std::string_view text) {
   return index;
 }
 
-// The value of a key, which is an empty table written at `place` if there is none.
+// The value of a key; if there is none, an empty table written at `place`.
 Node& at_key(Node::Table& table, const std::string& key, const Location& location) {
   auto entry = std::lower_bound(table.begin(), table.end(), key,
                                 [](const Entry& a, const std::string& b) { return a.key < b; });

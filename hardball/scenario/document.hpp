@@ -10,7 +10,7 @@
 
 namespace hardball {
 
-/// Where something is written.
+/// A location in a file or an override.
 struct Location {
   std::uint32_t origin = 0;  ///< 0 the file, i + 1 the override i.
   std::uint32_t line = 0;    ///< In the file from 1, or 0 for the file as a whole.
@@ -21,7 +21,7 @@ struct Entry;
 
 /// A value in a scenario file or an override.
 struct Node {
-  struct Date {};  ///< Or a time: no key takes one.
+  struct Date {};  ///< A date or a time, which no key takes.
   using Array = std::vector<Node>;
   using Table = std::vector<Entry>;  ///< In the order of keys.
 

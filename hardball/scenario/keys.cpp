@@ -26,7 +26,7 @@ std::vector<KeyDescription> surface_keys() {
   return {
       {.name = "restitution",
        .range = fraction,
-       .meaning = "of contacts with it; that of `[response]` if not given",
+       .meaning = "the restitution of contacts with it; that of `[response]` if not given",
        .example = "0.8"},
       {.name = "temperature",
        .range = not_negative,
@@ -74,7 +74,7 @@ TableDescription box_keys() {
            .type = choices,
            .choices = {"wall", "periodic", "open"},
            .is_required = true,
-           .meaning = "what bounds the box along x, y and z",
+           .meaning = "the boundaries of the box along x, y and z",
            .example = R"(["wall", "wall", "wall"])"},
           {.name = "size",
            .type = numbers,
@@ -86,8 +86,8 @@ TableDescription box_keys() {
            .example = "[10.0, 10.0, 10.0]"},
           {.name = "packing_fraction",
            .range = positive,
-           .meaning = "instead of `size`: the fraction of the volume that the spheres fill, from which the "
-                      "edge of a cube follows, in two dimensions that of a square",
+           .meaning = "instead of `size`: the fraction of the volume that the spheres fill; the box is a "
+                      "cube, in two dimensions a square, with the edge that follows",
            .example = "0.3"},
           {.name = "gravity",
            .type = vector,
@@ -99,14 +99,14 @@ TableDescription box_keys() {
            .dimension = "1/T",
            .default_value = "0.0",
            .meaning = "how much the flow along x grows along y: images of the box above and below slide "
-                      "along x, as Lees and Edwards have them. x and y must be periodic. Velocities that are "
+                      "along x (Lees-Edwards boundaries). x and y must be periodic. Velocities that are "
                       "drawn are relative to this flow",
            .example = "0.1"},
           {.name = "shear_offset",
            .dimension = "L",
            .default_value = "0.0",
-           .meaning = "by how much the image above is displaced along x at time zero; whole boxes count for "
-                      "nothing. If not given, it is the tilt of the box in a start file",
+           .meaning = "the displacement of the image above along x at time zero, modulo the width of the "
+                      "box. If not given, it is the tilt of the box in a start file",
            .example = "3.5"},
           {.name = "faces",
            .type = table,
@@ -201,8 +201,8 @@ TableDescription mass_keys() {
                     .range = positive,
                     .dimension = "M/L³",
                     .is_required = true,
-                    .meaning = "of the material: the mass of a sphere of radius r is 4π/3 r³ times this, "
-                               "that of a disc π r² times this [M/L²]",
+                    .meaning = "the density of the material: a sphere of radius r has the mass 4π/3 r³ times "
+                               "this, a disc π r² times this [M/L²]",
                     .example = "2.0"}}};
 }
 
@@ -246,7 +246,7 @@ TableDescription spheres_keys() {
                           "listed; beyond a packing fraction of 0.36 for equal spheres and 0.54 for equal "
                           "discs they grow into place, up to .97 of the packing fraction at which they jam; "
                           "`\"fcc\"`: on a face-centered cubic lattice that fills the box; "
-                          "`\"hexagonal\"`: the same for discs",
+                          "`\"hexagonal\"`: on a hexagonal lattice, for discs",
                .example = "\"random\""},
               {.name = "positions",
                .type = vectors,
@@ -326,7 +326,7 @@ TableDescription start_keys() {
            .type = truth,
            .default_value = "false",
            .meaning = "whether all radii are multiplied by the largest factor, up to 1, at which no spheres "
-                      "overlap and none reaches through a wall; the run says by which",
+                      "overlap and none reaches through a wall; the run prints the factor",
            .example = "true"}}};
 }
 
@@ -337,7 +337,8 @@ TableDescription restitution_keys() {
                .type = choice,
                .choices = {"viscoelastic", "tabulated"},
                .is_required = true,
-               .meaning = "how it depends on the impact speed, the normal relative speed before the contact",
+               .meaning = "how the restitution depends on the impact speed, the normal relative speed before "
+                          "the contact",
                .example = "\"viscoelastic\""},
               {.name = "value",
                .range = fraction,
@@ -394,8 +395,8 @@ std::vector<KeyDescription> bounce_keys() {
        .example = "1e-5"},
       {.name = "tangential_restitution",
        .range = signed_fraction,
-       .meaning = "of rough spheres, whose spins contacts change: the ratio of the tangential velocities of "
-                  "the surfaces after and before a contact, reversed; 1 is perfectly rough, -1 smooth",
+       .meaning = "for rough spheres, whose spins change at contacts: minus the ratio of the tangential "
+                  "velocities of the surfaces after and before a contact; 1 is perfectly rough, -1 smooth",
        .example = "0.5"}};
 }
 
@@ -413,7 +414,8 @@ TableDescription pairs_keys() {
           {.name = "between",
            .type = texts,
            .is_required = true,
-           .meaning = "two species, alike or not, or a species and `\"wall\"`, which means all walls",
+           .meaning =
+               "two species, which may be the same, or a species and `\"wall\"`, which means all walls",
            .example = R"(["steel", "glass"])"}}};
   for (KeyDescription key : bounce_keys()) {
     key.only_for = {"bounce"};
@@ -436,15 +438,15 @@ TableDescription response_keys() {
   table.keys.push_back(
       {.name = "settle",
        .type = truth,
-       .meaning = "whether spheres come to rest in a heap: unless `contact_duration` is given, contacts are "
-                  "elastic that follow another within a hundredth of √(d / g), d being the smaller diameter, "
-                  "and a run waits for its end when all are at rest; true if not given, where spheres that "
-                  "lose energy fall on something and nothing keeps them moving",
+       .meaning = "whether spheres come to rest in a heap. Unless `contact_duration` is given, a contact is "
+                  "then elastic if it follows another within a hundredth of √(d / g), d being the smaller "
+                  "diameter. When all spheres are at rest, the run only waits for its end. If not given, "
+                  "true where spheres that lose energy fall on something and are not driven",
        .example = "false"});
   table.keys.push_back(
       {.name = "pairs",
        .type = tables,
-       .meaning = "other rules for pairs of species; keys that they do not give are as for all",
+       .meaning = "rules for pairs of species; keys that they leave out are those of `[response]`",
        .table = make(pairs_keys())});
   return table;
 }
@@ -521,7 +523,7 @@ TableDescription walls_keys() {
       {.name = "frequency",
        .range = positive,
        .dimension = "1/T",
-       .meaning = "of this oscillation",
+       .meaning = "the frequency of this oscillation",
        .example = "2.0",
        .only_for = {"plane"}},
   };
@@ -554,16 +556,17 @@ TableDescription obstacles_keys() {
 KeyDescription steps_key(std::string_view meaning) {
   const std::shared_ptr<const TableDescription> step = make(
       {.title = "steps",
-       .keys = {{.name = "ratio",
-                 .range = positive,
-                 .is_required = true,
-                 .meaning = "the distance of the centers at which the step is, over the sum of the radii",
-                 .example = "1.5"},
-                {.name = "energy",
-                 .dimension = "M L²/T²",
-                 .is_required = true,
-                 .meaning = "of two spheres inside of it, down to the next step or the core",
-                 .example = "-1.0"}}});
+       .keys = {
+           {.name = "ratio",
+            .range = positive,
+            .is_required = true,
+            .meaning = "the distance of the centers at which the step is, over the sum of the radii",
+            .example = "1.5"},
+           {.name = "energy",
+            .dimension = "M L²/T²",
+            .is_required = true,
+            .meaning = "the energy of two spheres between this step and the next one inward, or the core",
+            .example = "-1.0"}}});
   return {.name = "steps", .type = tables, .meaning = meaning, .table = step};
 }
 
@@ -580,46 +583,50 @@ KeyDescription core_key() {
 TableDescription potentials_keys() {
   KeyDescription steps = steps_key("its steps, from the inside to the outside");
   steps.is_required = true;
-  return {.title = "[[potentials]]",
-          .keys = {{.name = "between",
-                    .type = texts,
-                    .meaning = "two species, alike or not; if not given, all that no other potential names",
-                    .example = R"(["oil", "water"])"},
-                   steps,
-                   core_key()}};
+  return {
+      .title = "[[potentials]]",
+      .keys = {
+          {.name = "between",
+           .type = texts,
+           .meaning =
+               "two species, which may be the same; if not given, all pairs that no other potential names",
+           .example = R"(["oil", "water"])"},
+          steps,
+          core_key()}};
 }
 
 TableDescription bonds_keys() {
-  return {.title = "[[bonds]]",
-          .keys = {{.name = "between",
-                    .type = numbers,
-                    .range = not_negative,
-                    .meaning = "the ids of two spheres that are tied together",
-                    .example = "[3, 17]"},
-                   {.name = "chain",
-                    .type = numbers,
-                    .range = not_negative,
-                    .meaning = "the first and the last id of spheres of which each is tied to the next",
-                    .example = "[0, 63]"},
-                   {.name = "file",
-                    .type = text,
-                    .meaning = "a text file with two ids on each line; its path is relative to the scenario",
-                    .example = "\"bonds.txt\""},
-                   {.name = "beads",
-                    .type = integer,
-                    .least = 2,
-                    .most = std::numeric_limits<SphereId>::max() - 1,
-                    .meaning = "with `chain`: it is cut into chains of so many spheres",
-                    .example = "16"},
-                   {.name = "longest",
-                    .range = positive,
-                    .is_required = true,
-                    .meaning = "the greatest distance of the centers, over the sum of the radii",
-                    .example = "1.2"},
-                   core_key(),
-                   steps_key("steps on the way there, from the inside to the outside; beyond them the energy "
-                             "is zero")},
-          .one_of = {{"between", "chain", "file"}}};
+  return {
+      .title = "[[bonds]]",
+      .keys = {{.name = "between",
+                .type = numbers,
+                .range = not_negative,
+                .meaning = "the ids of two spheres that are tied together",
+                .example = "[3, 17]"},
+               {.name = "chain",
+                .type = numbers,
+                .range = not_negative,
+                .meaning = "the first and the last id of spheres of which each is tied to the next",
+                .example = "[0, 63]"},
+               {.name = "file",
+                .type = text,
+                .meaning = "a text file with two ids on each line; its path is relative to the scenario",
+                .example = "\"bonds.txt\""},
+               {.name = "beads",
+                .type = integer,
+                .least = 2,
+                .most = std::numeric_limits<SphereId>::max() - 1,
+                .meaning = "with `chain`: the number of spheres in each of the chains into which it is cut",
+                .example = "16"},
+               {.name = "longest",
+                .range = positive,
+                .is_required = true,
+                .meaning = "the greatest distance of the centers, over the sum of the radii",
+                .example = "1.2"},
+               core_key(),
+               steps_key("steps within the bond, from the inside to the outside; beyond them the energy "
+                         "is zero")},
+      .one_of = {{"between", "chain", "file"}}};
 }
 
 TableDescription thermostat_keys() {
@@ -637,7 +644,7 @@ TableDescription thermostat_keys() {
                 .range = positive,
                 .dimension = "M L²/T²",
                 .is_required = true,
-                .meaning = "the kT to which it brings the spheres",
+                .meaning = "the kT of the thermostat",
                 .example = "1.0",
                 .only_for = {"andersen", "rescale"}},
                {.name = "rate",
@@ -665,9 +672,9 @@ TableDescription thermostat_keys() {
                 .type = integer,
                 .least = 1,
                 .most = 10000,
-                .meaning = "how many slabs across y keep the mean velocities that they have, whatever the "
-                           "profile of the flow: velocities are scaled relative to these; if not given, "
-                           "relative to the mean of all and to the flow of the box",
+                .meaning = "the number of slabs across y, each of which keeps its mean velocity: velocities "
+                           "are scaled relative to it, whatever the profile of the flow. If not given, they "
+                           "are scaled relative to the mean of all spheres and to the flow of the box",
                 .example = "10",
                 .only_for = {"rescale"}}}};
 }
@@ -705,75 +712,77 @@ TableDescription run_keys() {
                     .least = 0,
                     .most = std::numeric_limits<std::int64_t>::max(),
                     .default_value = "1",
-                    .meaning = "of the random numbers for radii, placement, velocities and the thermostat; "
-                               "`--seed` takes precedence",
+                    .meaning = "the seed of the random numbers for radii, placement, velocities and the "
+                               "thermostat; `--seed` takes precedence",
                     .example = "1"}}};
 }
 
 TableDescription output_keys() {
   return {
       .title = "[output]",
-      .keys = {{.name = "directory",
-                .type = text,
-                .meaning = "where files go; `--out` takes precedence; without either none are written",
-                .example = "\"out\""},
-               {.name = "snapshots_every",
-                .range = positive,
-                .dimension = "T",
-                .meaning = "interval of the snapshots in the trajectory; none are taken unless this, "
-                           "`snapshots_per_decade` or `snapshots_every_contacts` is given",
-                .example = "0.5"},
-               {.name = "snapshots_per_decade",
-                .type = integer,
-                .least = 1,
-                .most = 1000,
-                .meaning = "or: how many snapshots are taken while the time grows tenfold, evenly in its "
-                           "logarithm, from `first_snapshot` on",
-                .example = "10"},
-               {.name = "first_snapshot",
-                .range = positive,
-                .dimension = "T",
-                .meaning = "goes with `snapshots_per_decade`: the time of the first snapshot after that "
-                           "of the start",
-                .example = "0.001"},
-               {.name = "snapshots_every_contacts",
-                .type = integer,
-                .least = 1,
-                .most = std::numeric_limits<std::int64_t>::max(),
-                .meaning = "or: how many collisions and wall contacts lie between two snapshots",
-                .example = "10000"},
-               {.name = "trajectory",
-                .type = some,
-                .choices = {"xyz", "xyz.zst", "gsd", "lammps", "vtp"},
-                .default_value = "\"xyz\"",
-                .meaning = "the format of the trajectory: `trajectory.xyz`, `trajectory.xyz.zst`, "
-                           "`trajectory.gsd`, `trajectory.lammpstrj` or `trajectory.pvd`",
-                .example = "\"gsd\""},
-               {.name = "event_log",
-                .type = truth,
-                .default_value = "false",
-                .meaning = "whether to write `events.npy`",
-                .example = "true"},
-               {.name = "recording",
-                .type = truth,
-                .default_value = "false",
-                .meaning = "whether to write `recording.hbr`, for the [viewer](viewer.md)",
-                .example = "true"},
-               {.name = "checkpoint_every",
-                .range = positive,
-                .default_value = "60.0",
-                .meaning = "seconds of wall time between checkpoints, from which `hardball resume` resumes",
-                .example = "600"},
-               {.name = "checkpoint_at",
-                .type = numbers,
-                .dimension = "T",
-                .meaning = "times at which a checkpoint is also written; each is kept as `checkpoints/T.hbc`",
-                .example = "[10.0, 100.0]"},
-               {.name = "report",
-                .type = truth,
-                .default_value = "true",
-                .meaning = "whether to write `report.html`",
-                .example = "false"}}};
+      .keys = {
+          {.name = "directory",
+           .type = text,
+           .meaning =
+               "the directory of the files; `--out` takes precedence; without either, no files are written",
+           .example = "\"out\""},
+          {.name = "snapshots_every",
+           .range = positive,
+           .dimension = "T",
+           .meaning = "interval of the snapshots in the trajectory; none are taken unless this, "
+                      "`snapshots_per_decade` or `snapshots_every_contacts` is given",
+           .example = "0.5"},
+          {.name = "snapshots_per_decade",
+           .type = integer,
+           .least = 1,
+           .most = 1000,
+           .meaning = "or: how many snapshots are taken while the time grows tenfold, evenly in its "
+                      "logarithm, from `first_snapshot` on",
+           .example = "10"},
+          {.name = "first_snapshot",
+           .range = positive,
+           .dimension = "T",
+           .meaning = "goes with `snapshots_per_decade`: the time of the first snapshot after that "
+                      "of the start",
+           .example = "0.001"},
+          {.name = "snapshots_every_contacts",
+           .type = integer,
+           .least = 1,
+           .most = std::numeric_limits<std::int64_t>::max(),
+           .meaning = "or: how many collisions and wall contacts lie between two snapshots",
+           .example = "10000"},
+          {.name = "trajectory",
+           .type = some,
+           .choices = {"xyz", "xyz.zst", "gsd", "lammps", "vtp"},
+           .default_value = "\"xyz\"",
+           .meaning = "the format of the trajectory: `trajectory.xyz`, `trajectory.xyz.zst`, "
+                      "`trajectory.gsd`, `trajectory.lammpstrj` or `trajectory.pvd`",
+           .example = "\"gsd\""},
+          {.name = "event_log",
+           .type = truth,
+           .default_value = "false",
+           .meaning = "whether to write `events.npy`",
+           .example = "true"},
+          {.name = "recording",
+           .type = truth,
+           .default_value = "false",
+           .meaning = "whether to write `recording.hbr`, for the [viewer](viewer.md)",
+           .example = "true"},
+          {.name = "checkpoint_every",
+           .range = positive,
+           .default_value = "60.0",
+           .meaning = "seconds of wall time between checkpoints, from which `hardball resume` resumes",
+           .example = "600"},
+          {.name = "checkpoint_at",
+           .type = numbers,
+           .dimension = "T",
+           .meaning = "times at which a checkpoint is also written; each is kept as `checkpoints/T.hbc`",
+           .example = "[10.0, 100.0]"},
+          {.name = "report",
+           .type = truth,
+           .default_value = "true",
+           .meaning = "whether to write `report.html`",
+           .example = "false"}}};
 }
 
 TableDescription measures_keys() {
@@ -784,7 +793,7 @@ TableDescription measures_keys() {
                     .type = choices,
                     .choices = known,
                     .default_value = R"(["all"])",
-                    .meaning = "what is measured: see [measures.md](measures.md); `[]` for nothing",
+                    .meaning = "the measures to take, see [measures.md](measures.md); `[]` for none",
                     .example = R"(["pressure", "collision_rate"])"},
                    {.name = "every",
                     .range = positive,
@@ -840,7 +849,7 @@ TableDescription all_keys() {
                     .table = make(bonds_keys())},
                    {.name = "thermostat",
                     .type = table,
-                    .meaning = "what exchanges energy with the spheres between contacts",
+                    .meaning = "a thermostat, which exchanges energy with the spheres between contacts",
                     .table = make(thermostat_keys())},
                    {.name = "growth",
                     .type = table,
@@ -853,7 +862,7 @@ TableDescription all_keys() {
                     .table = make(output_keys())},
                    {.name = "measures",
                     .type = table,
-                    .meaning = "what is measured, and when",
+                    .meaning = "the measures to take, and when",
                     .table = make(measures_keys())}},
           .one_of = {{"spheres", "start"}}};
 }

@@ -27,7 +27,7 @@ enum class ValueType {
   tables,  ///< One or more tables of the same name, [[name]].
 };
 
-/// Which numbers a value consists of, within the operating range (geometry/range.hpp).
+/// The range of the numbers of a value, within the operating range (geometry/range.hpp).
 enum class NumberRange {
   finite,
   positive,
@@ -44,8 +44,8 @@ struct KeyDescription {
   std::string_view name;
   ValueType type = ValueType::number;
   NumberRange range = NumberRange::finite;
-  std::uint64_t least = 0;                     ///< Of an integer.
-  std::uint64_t most = 0;                      ///< Of an integer.
+  std::uint64_t least = 0;                     ///< Least value of an integer.
+  std::uint64_t most = 0;                      ///< Greatest value of an integer.
   std::vector<std::string_view> choices = {};  ///< In the order of the enumeration that they stand for.
   std::string_view dimension = {};             ///< Such as "L/T"; nothing for pure numbers.
   bool is_required = false;
@@ -55,7 +55,7 @@ struct KeyDescription {
   /// The choices of the table's first key that the key goes with, all if there are none. Keys of one name
   /// that go with different choices may differ.
   std::vector<std::string_view> only_for = {};
-  /// Of a table; of another type, a table that may be given instead.
+  /// The keys of a table; for another type, a table that may be given instead.
   std::shared_ptr<const TableDescription> table = {};
 };
 
@@ -63,7 +63,7 @@ struct KeyDescription {
 struct TableDescription {
   std::string title;  ///< In messages: "[box]"; nothing for the scenario as a whole.
   std::vector<KeyDescription> keys;
-  /// Of the keys in each of these groups there must be exactly one.
+  /// Groups of keys: exactly one key of each group must be given.
   std::vector<std::vector<std::string_view>> one_of = {};
 
   /// The key of this name that goes with this choice of the first key; null if there is none.

@@ -280,7 +280,7 @@ void set_interactions(const Scenario& scenario, World& world) {
   at_shear(scenario, [&] { world.set_interactions(make_interactions(scenario)); });
 }
 
-// Whether the spheres can be made one after the other, by those who cannot keep all.
+// Whether the spheres can be made one after the other, by processes that cannot keep all.
 bool can_be_made_in_turn(const Scenario& scenario) {
   if (scenario.start_file || scenario.spheres.size() != 1 || scenario.shear.is_present()) return false;
   const SphereGroup& group = scenario.spheres.front();

@@ -41,7 +41,7 @@ std::string all_of(std::span<const std::string_view> names, char quote) {
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> names, char quote) {
   HARDBALL_CHECK(!names.empty());
-  // So long a word is no misspelling, and takes time to compare.
+  // A word this long is no misspelling, and takes time to compare.
   constexpr std::size_t kLongest = 100;
   if (word.size() > kLongest) return all_of(names, quote);
   const std::string_view nearest = *std::min_element(

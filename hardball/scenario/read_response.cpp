@@ -43,7 +43,7 @@ RestitutionLaw read_law(const Section& section) {
   return made_at(section.location(), [&] { return TabulatedRestitution(points); });
 }
 
-// What the section says; what it leaves open stays as it is.
+// Reads the section; what it leaves open does not change.
 void read_bounce(const Section& section, BounceRules& bounce) {
   if (const auto restitution = section.find("restitution")) {
     if (const auto law = restitution->section()) {

@@ -17,7 +17,7 @@ std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensio
 /// contradicts another or is out of range.
 std::vector<WallDescription> read_walls(const Section& root, std::size_t dimensions);
 
-/// What the tables [[obstacles]] describe, one for each position. Error: likewise.
+/// What the tables [[obstacles]] describe, one for each position. Error: as for read_walls.
 std::vector<ObstacleDescription> read_obstacles(const Section& root, std::size_t dimensions);
 
 }  // namespace hardball

@@ -37,30 +37,30 @@ enum class Placement {
 enum class VelocityRule {
   mean_speed,   ///< Maxwell's distribution with this mean of |v| [L/T].
   temperature,  ///< Maxwell's distribution with this k T, m <v^2> by the dimensions [M L^2 T^-2].
-  speed,        ///< This |v| [L/T], in random directions.
+  speed,        ///< All have this |v| [L/T], in random directions.
   listed,       ///< As SphereGroup::velocities says.
 };
 
 /// Spheres of one kind: a table [[spheres]] of a scenario.
 struct HARDBALL_EXPORT SphereGroup {
-  std::size_t dimensions = 3;  ///< Of the box: 3, or 2 for discs.
+  std::size_t dimensions = 3;  ///< Dimensions of the box: 3, or 2 for discs.
   std::size_t count = 0;
-  double radius = 1;                               ///< Of all, unless they are distributed [L].
-  std::optional<RadiusDistribution> distribution;  ///< Of the radii.
-  std::vector<double> radii;      ///< Shape (count) once they are drawn, otherwise empty [L].
-  double mass = 1;                ///< Of all, unless there is a density, or each has its own [M].
-  std::vector<double> masses;     ///< Shape (count) of spheres that have each their own, otherwise empty [M].
-  std::optional<double> density;  ///< Of the material, from which masses follow [M/L^3]; of discs [M/L^2].
+  double radius = 1;  ///< Radius of all spheres, unless radii are distributed [L].
+  std::optional<RadiusDistribution> distribution;  ///< Distribution of the radii.
+  std::vector<double> radii;   ///< Shape (count) once they are drawn, otherwise empty [L].
+  double mass = 1;             ///< Mass of all spheres, unless there is a density, or each has its own [M].
+  std::vector<double> masses;  ///< Shape (count) of spheres that have each their own, otherwise empty [M].
+  std::optional<double> density;  ///< Density of the material, from which masses follow [M/L^3 or M/L^2].
   Placement placement = Placement::random;
   std::vector<Vec3> positions;  ///< Shape (count, 3) for Placement::listed, otherwise empty [L].
   VelocityRule velocity_rule = VelocityRule::speed;
   double velocity_scale = 0;          ///< What the rule prescribes; unused for VelocityRule::listed.
   std::vector<Vec3> velocities;       ///< Shape (count, 3) for VelocityRule::listed, otherwise empty [L/T].
   double rotational_temperature = 0;  ///< I <w^2> / 3 of the spins w [M L^2 T^-2].
-  std::vector<Vec3> spins;            ///< Instead, each one, shape (count, 3) [1/T]; empty otherwise.
+  std::vector<Vec3> spins;            ///< Listed spins, shape (count, 3) [1/T]; empty if drawn.
   SpeciesId species = 0;              ///< An index into Scenario::species, if there are any.
-  bool is_kinematic = false;          ///< Of infinite mass.
-  std::string where;                  ///< Its location in the scenario, for messages.
+  bool is_kinematic = false;          ///< Whether the mass is infinite.
+  std::string where;                  ///< Location in the scenario, for messages.
 
   /// The radius of a sphere of the group [L].
   double radius_of(std::size_t index) const { return radii.empty() ? radius : radii[index]; }
@@ -74,7 +74,7 @@ struct FaceDescription {
   std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
   std::optional<double> temperature;  ///< k T of a thermal face [M L^2 T^-2].
   Vec3 velocity;                      ///< Along the face [L/T].
-  std::string where;                  ///< Its location in the scenario, for messages.
+  std::string where;                  ///< Location in the scenario, for messages.
 };
 
 /// A wall inside the box or around it: a table [[walls]] of a scenario.
@@ -82,25 +82,25 @@ struct WallDescription {
   enum class Shape { plane, cylinder, sphere, cone };
 
   Shape shape = Shape::plane;
-  Vec3 point;         ///< Of the plane, on the axis, the center, or the apex [L].
+  Vec3 point;         ///< A point of the plane or the axis, the center, or the apex [L].
   Vec3 direction;     ///< The normal of a plane, toward the spheres, or the axis; of any length.
-  double radius = 0;  ///< Of a cylinder or sphere [L].
-  double slope = 0;   ///< Of a cone [1].
+  double radius = 0;  ///< Radius of a cylinder or sphere [L].
+  double slope = 0;   ///< Slope of a cone [1].
   std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
   std::optional<double> temperature;  ///< k T of a thermal wall [M L^2 T^-2].
   Vec3 velocity;                      ///< [L/T]
-  double amplitude = 0;               ///< Of an oscillation along the normal of a plane [L].
-  double frequency = 0;               ///< Of this oscillation [1/T].
-  std::string where;                  ///< Its location in the scenario, for messages.
+  double amplitude = 0;               ///< Amplitude of an oscillation along the normal of a plane [L].
+  double frequency = 0;               ///< Frequency of this oscillation [1/T].
+  std::string where;                  ///< Location in the scenario, for messages.
 };
 
 /// A sphere that never moves: one position of a table [[obstacles]] of a scenario.
 struct ObstacleDescription {
-  Vec3 position;                      ///< Of its center [L].
+  Vec3 position;                      ///< Position of its center [L].
   double radius = 0;                  ///< [L]
   std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
   std::optional<double> temperature;  ///< k T of a thermal surface [M L^2 T^-2].
-  std::string where;                  ///< Its location in the scenario, for messages.
+  std::string where;                  ///< Location in the scenario, for messages.
 };
 
 /// A species: a table [[species]] of a scenario.
@@ -120,16 +120,17 @@ struct PairDescription {
 
 /// A potential of steps: a table [[potentials]] of a scenario.
 struct PotentialDescription {
-  std::optional<std::pair<SpeciesId, SpeciesId>> between;  ///< None for all that no other names.
+  /// The species; none for all pairs that no other potential names.
+  std::optional<std::pair<SpeciesId, SpeciesId>> between;
   StepRules rules;
 };
 
 /// Spheres that are tied together: a table [[bonds]] of a scenario.
 struct BondsDescription {
   std::vector<std::pair<SphereId, SphereId>> pairs;
-  std::optional<std::filesystem::path> file;  ///< With the pairs, instead.
+  std::optional<std::filesystem::path> file;  ///< A file with the pairs, instead of `pairs`.
   StepRules rules;
-  std::string where;  ///< Its location in the scenario, for messages.
+  std::string where;  ///< Location in the scenario, for messages.
 };
 
 /// A description of a run: the contents of a scenario file, each value checked by itself.
@@ -143,7 +144,7 @@ struct HARDBALL_EXPORT Scenario {
   };
 
   std::string name;  ///< The file, for messages.
-  std::string text;  ///< Its contents, without overrides.
+  std::string text;  ///< Contents of the file, without overrides.
   std::array<Axis, kAxes> box;
   /// The fraction of the volume that the spheres fill, from which fit_box has made the sizes of the box [1];
   /// none where they are given.
@@ -151,40 +152,40 @@ struct HARDBALL_EXPORT Scenario {
   /// 2 if the box is flat.
   std::size_t dimensions() const { return box[2].boundary == Boundary::flat ? 2 : 3; }
   Vec3 gravity;                        ///< [L/T^2]
-  Shear shear;                         ///< Of the box.
+  Shear shear;                         ///< Shear of the box.
   bool is_shear_offset_given = false;  ///< Otherwise it is the tilt of a start file's box.
   std::string shear_where;             ///< For messages.
-  std::vector<FaceDescription> faces;  ///< Of the box, those with properties of their own.
+  std::vector<FaceDescription> faces;  ///< Faces of the box with properties of their own.
   std::vector<WallDescription> walls;  ///< Besides those of the box.
   std::vector<ObstacleDescription> obstacles;
   std::vector<SphereGroup> spheres;                 ///< In the order of ids.
   std::optional<std::filesystem::path> start_file;  ///< A file with snapshots, instead of `spheres`.
-  /// Of the spheres of a start file that has no velocities: the mean speed or the temperature.
+  /// How velocities are drawn for a start file that has none: by the mean speed or the temperature.
   std::optional<VelocityRule> start_velocity_rule;
   double start_velocity_scale = 0;  ///< What that rule prescribes.
   /// Whether all radii of a start file are multiplied by the largest factor at which no spheres overlap.
   bool shrinks_start = false;
   std::vector<SpeciesDescription> species;  ///< Named by their index; none if all spheres are alike.
-  BounceRules bounce;                       ///< Of all contacts that `pairs` does not name.
+  BounceRules bounce;                       ///< Rules of all contacts that `pairs` does not name.
   /// Whether spheres come to rest in a heap, and the run then only waits for its end.
   bool settles = false;
   bool merges = false;  ///< Whether all spheres that `pairs` does not name merge.
   std::vector<PairDescription> pairs;
   std::vector<PotentialDescription> potentials;
   std::vector<BondsDescription> bonds;
-  std::optional<ThermostatKind> thermostat;  ///< Its seed is that of the run.
-  std::optional<GrowthRules> growth;         ///< Of all spheres, from the start on.
+  std::optional<ThermostatKind> thermostat;  ///< The thermostat; its seed is that of the run.
+  std::optional<GrowthRules> growth;         ///< Growth of all spheres, from the start on.
   std::optional<double> until;               ///< When the run ends [T].
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> output_directory;
-  SnapshotSchedule snapshots;                ///< Of the trajectories.
-  std::vector<SnapshotFormat> trajectories;  ///< Their formats; none if no snapshots are taken.
+  SnapshotSchedule snapshots;                ///< Schedule of the trajectories.
+  std::vector<SnapshotFormat> trajectories;  ///< Formats of the trajectories; none if no snapshots are taken.
   bool event_log = false;
   bool recording = false;
   double checkpoint_every = 60;       ///< Seconds of wall time.
   std::vector<double> checkpoint_at;  ///< [T]
   bool report = true;                 ///< Where there is an output directory.
-  MeasureSettings measures;           ///< Of all measures if the scenario has no table [measures].
+  MeasureSettings measures;           ///< Settings of all measures if the scenario has no table [measures].
 
   /// The constant coefficient of restitution of all contacts of smooth spheres [1]; NaN if they have none.
   double restitution() const;

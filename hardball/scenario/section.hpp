@@ -25,7 +25,7 @@ class Value {
   std::string location() const { return document_->text_of(node_->location); }
 
   double number() const;
-  /// Also accepts numbers such as 1e5.
+  /// The value as an integer; accepts numbers such as 1e5, too.
   std::uint64_t integer() const;
   bool truth() const;
   std::string text() const;
@@ -60,7 +60,7 @@ class Section {
  public:
   /// The scenario as a whole.
   explicit Section(const Document& document);
-  /// The table that `node` is, the value of `key`. Error: it is none; an unknown key.
+  /// The table that `node` is, the value of `key`. Error: it is not a table; an unknown key.
   Section(const Document& document, const Node& node, const KeyDescription& key);
 
   std::string location() const { return document_->text_of(node_->location); }

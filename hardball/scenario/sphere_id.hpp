@@ -12,7 +12,7 @@
 namespace hardball {
 
 /// A number of a scenario, or of a file that it names, as the id of a sphere. Error, with `where` as its
-/// place: it is none.
+/// place: it is not an id.
 inline SphereId sphere_id(double number, const std::string& where) {
   constexpr double kLargest = std::numeric_limits<SphereId>::max() - 1;
   if (number >= 0 && number <= kLargest && number == std::floor(number)) return static_cast<SphereId>(number);

@@ -21,8 +21,8 @@ namespace hardball {
 class DrawnVelocities {
  public:
   enum class Memory {
-    all,   ///< They are drawn once, and kept.
-    none,  ///< They are drawn anew whenever they are wanted, for those who cannot keep all.
+    all,   ///< Velocities are drawn once, and kept.
+    none,  ///< Velocities are drawn again whenever they are wanted, for callers that cannot keep all.
   };
 
   /// Draws them from `random`, which is then where it is after all have been drawn. Precondition: the groups
@@ -54,7 +54,7 @@ class DrawnVelocities {
   bool are_kept_;
 };
 
-/// All of them, drawn once.
+/// Draws the velocities of all groups.
 std::vector<Vec3> draw_velocities(std::span<const SphereGroup> groups, bool without_drift, Random& random);
 
 }  // namespace hardball

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The future, if nobody interferes.
+// The future without interference.
 #include <utility>
 
 #include "hardball/geometry/range.hpp"
@@ -44,7 +44,7 @@ std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t 
   return contacts;
 }
 
-// The same with a copy of the whole, at its cost.
+// Looks ahead with a copy of the simulation, at the cost of copying it.
 void Simulation::look_ahead_in_copy(const Time& until, std::uint64_t most,
                                     const Function<void(const Contact&)>& observe) const {
   Simulation copy(*this);
@@ -53,7 +53,7 @@ void Simulation::look_ahead_in_copy(const Time& until, std::uint64_t most,
   copy.run({.until = until, .contacts = most});
 }
 
-// Runs the engine ahead, up to so many contacts, and takes it back.
+// Runs the engine ahead, up to a number of contacts, and rolls it back.
 void Simulation::look_ahead(const Time& until, std::uint64_t most,
                             const Function<void(const Contact&)>& observe) {
   // A look-ahead does not keep such sums.

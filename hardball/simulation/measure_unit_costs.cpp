@@ -21,8 +21,7 @@ namespace {
 
 using Steps = std::array<double, 4>;  // contacts, crossings, cells, predictions
 
-// A cubic crystal has 4 k^3. A smaller box would have so few cells that several images of a sphere are in
-// reach.
+// A cubic crystal has 4 k^3. In a smaller box with fewer cells, several images of a sphere would be in reach.
 constexpr std::size_t kSpheres = 6912;
 
 World make_gas(double packing_fraction) {

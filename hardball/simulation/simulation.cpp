@@ -121,7 +121,7 @@ std::uint64_t Simulation::run_contacts(std::uint64_t count, double until) {
 
 RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
   check_idle("run");
-  // Without measures, nobody asks for the world.
+  // Without measures, the world is not needed.
   if (!measures.is_any_wanted()) return run_with(limits, nullptr);
   measures.check_spheres(world());
   if (growth() || setting().motion().has_growth()) {

@@ -52,8 +52,8 @@ class UserData;
 ///
 /// Several processes may share a simulation, each with the spheres in a part of the box. Then all of them
 /// call the same members in the same order, with the same arguments, and get the same results; observers and
-/// listeners are called in all of them. A process holds all spheres, too, from when somebody first asks for
-/// the world, as measures, thermostats, growth and edits do.
+/// listeners are called in all of them. A process holds all spheres, too, once the world has been requested,
+/// as measures, thermostats, growth and edits do.
 class HARDBALL_EXPORT Simulation {
  public:
   /// Starts at the latest time at which a sphere was added to the world, or zero. Spheres added earlier have
@@ -61,10 +61,11 @@ class HARDBALL_EXPORT Simulation {
   /// the progress of the set-up to `on_progress`. Error: spheres that overlap or reach through a wall at the
   /// start; invalid options (see EngineOptions).
   explicit Simulation(World world, const EngineOptions& options = {}, const OnProgress& on_progress = {});
-  /// Starts the same world, which all of several processes have whole. They outlive the simulation; threads
-  /// are those of each process. Error: likewise, in all processes; something that they cannot share: merging
-  /// spheres, potentials of steps, a sheared box, a response that is a function; an engine other than cells
-  /// and neighbors; a box that is too small for so many processes.
+  /// Starts a world that each of several processes has in full. `processes` must outlive the simulation;
+  /// `threads` is per process. Error, in all processes: spheres that overlap or reach through a wall; invalid
+  /// options; something that they cannot share: merging spheres, potentials of steps, a sheared box, a
+  /// response that is a function; an engine other than cells and neighbors; a box that is too small for this
+  /// many processes.
   Simulation(World world, const EngineOptions& options, Processes& processes,
              const OnProgress& on_progress = {});
   /// Starts a world of which each process brings some of the spheres, with their ids; all are brought once.
@@ -87,11 +88,12 @@ class HARDBALL_EXPORT Simulation {
   /// positions, or edits it during a run with measures.
   void on_contact(Function<void(const Contact&)> listener);
 
-  /// Sets who observes the run, instead of whoever did. Contacts are told before a listener is called, but
-  /// perhaps when later ones have happened already: with several threads that costs much less than a
-  /// listener. If an observer throws, the run ends, perhaps after further contacts, of which it is not told.
-  /// Told of a contact, it must not query the simulation, except for world() when two spheres have merged;
-  /// told of anything else, it may. Error, from the call in question: it runs or edits the simulation.
+  /// Sets the observer of the run, which replaces an earlier one. It is called with each contact before a
+  /// listener is, but perhaps when later contacts have happened already: with several threads that costs much
+  /// less than a listener. If an observer throws, the run ends, perhaps after further contacts, which the
+  /// observer does not see. Called with a contact, it must not query the simulation, except for world() when
+  /// two spheres have merged; in its other functions it may. Error, from the call in question: it runs or
+  /// edits the simulation.
   void observe(Observer observer);
 
   /// Replaces the response, which returns the velocities after a contact; see Response. Error, from running:
@@ -148,7 +150,7 @@ class HARDBALL_EXPORT Simulation {
   /// may never meet: then give a finite time. Error: `until`, as for run_until. Cost: that of the events that
   /// a run would handle up to then; the next run does not repeat them unless edits follow.
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
-  /// The contacts of the next `duration` [T], in order, up to `most`, if nobody interferes: those that run()
+  /// The contacts of the next `duration` [T], in order, up to `most`, without interference: those that run()
   /// would pass to the listener. Error: `duration` is negative, NaN, infinite or beyond 1e120; it is called
   /// by the response; errors of the run. Cost: that of the run and of rewinding it; called by the listener,
   /// plus an O(n) copy.
@@ -243,10 +245,10 @@ class HARDBALL_EXPORT Simulation {
   /// All spheres. In several threads or processes they are gathered when this is called. Cost, then:
   /// O(contacts since the last call), at first O(n).
   const World& world() const;
-  /// The world, in which spheres need not be as they are, nor be there: box, walls, interactions and motion.
+  /// The world with its box, walls, interactions and motion; its spheres may be missing or out of date.
   const World& setting() const;
   std::size_t size() const;
-  /// Sums over the spheres as they are. Cost: O(n).
+  /// Sums over the spheres at the present time. Cost: O(n).
   Totals totals() const;
   /// A check of all spheres; see audit. Cost: O(n log n).
   Audit audit() const;
@@ -259,12 +261,12 @@ class HARDBALL_EXPORT Simulation {
   /// Calls visit(world, slot) for each sphere that this process has; see EngineBase.
   void for_each_sphere(const Function<void(const World&, Slot)>& visit) const;
 
-  /// Those that share the simulation.
+  /// The processes that share the simulation.
   Processes& processes() const;
 
   const EngineOptions& options() const;
-  /// Lets so many threads work on the simulation from now on; see EngineOptions::threads. One that is loaded
-  /// has one thread. Cost: O(n). Error: as there.
+  /// Lets this many threads work on the simulation from now on; see EngineOptions::threads. A loaded
+  /// simulation has one thread. Cost: O(n). Error: as for EngineOptions::threads.
   void set_threads(std::size_t threads);
   /// The blocks into which the box is divided [L], one for each domain (docs/parallel.md): a sphere belongs
   /// to the domain in whose block it is, up to the end of a window. Blocks change when spheres or cells have

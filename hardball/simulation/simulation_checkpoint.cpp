@@ -86,7 +86,7 @@ void write_in_parts(const Simulation& simulation, const std::filesystem::path& p
   in_first(processes, [&] { put_in_place(path); });
 }
 
-// The blocks that a process reads of a checkpoint: every so many-th.
+// The blocks that a process reads of a checkpoint, with a stride of the number of processes.
 std::vector<std::string> read_blocks(CheckpointReader& checkpoint, const Processes& processes) {
   std::vector<std::string> blocks;
   std::size_t number = 0;

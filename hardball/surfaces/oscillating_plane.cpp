@@ -79,8 +79,9 @@ bool OscillatingPlane::is_met(const Flight& flight, const Polynomial& room, doub
   return false;
 }
 
-// A sphere that stays within the plane's reach is met within a turn. If it is not, one double counts too
-// coarsely from the start of the flight, or the plane passes by the sphere so closely that no number tells.
+// A sphere that stays within the plane's reach is touched within a turn. If it is not, the time since the
+// start of the flight is too coarse in one double, or the plane passes by the sphere so closely that rounding
+// hides it.
 Time OscillatingPlane::contact_time(const Passage& passage) const {
   constexpr double kManyTurns = 64;  // of which one double knows the phase less well than the place
   Flight flight{rest_.gap(passage), passage.start};

@@ -15,7 +15,7 @@ namespace hardball {
 struct HARDBALL_EXPORT Polynomial {
   static constexpr std::size_t kMaxDegree = 4;
 
-  std::array<DoubleDouble<>, kMaxDegree + 1> coefficients{};  ///< Of t^0, t^1, and so on.
+  std::array<DoubleDouble<>, kMaxDegree + 1> coefficients{};  ///< Coefficients of t^0, t^1, and so on.
 
   DoubleDouble<> operator()(double t) const;
   /// The highest power whose coefficient is not zero.
@@ -25,8 +25,8 @@ struct HARDBALL_EXPORT Polynomial {
 
 /// The earliest t >= 0 at which the polynomial is not positive and decreases; infinity if there is none.
 ///
-/// So a gap that is closed and still closing is met at once, one that is closed but opens is met when it
-/// turns, and a gap that is only grazed is not met. Up to degree two accurate to a few units in the last
+/// So a gap that is closed and still closing gives zero; one that is closed but opens, the time at which it
+/// turns; and a gap that is only grazed, infinity. Up to degree two accurate to a few units in the last
 /// place; beyond, the least double at which the polynomial, evaluated in twice the precision, is not
 /// positive. Source: Bannerman et al., Comp. Part. Mech. 1 (2014) 191, section 2.
 HARDBALL_EXPORT double earliest_descent(const Polynomial& polynomial);

@@ -16,7 +16,7 @@ struct SurfaceMaterial {
   /// k T of a thermal wall [M L^2 T^-2], from which spheres return with random velocities; if absent, the
   /// surface reflects.
   std::optional<double> temperature = {};
-  std::uint64_t seed = 0;  ///< Of a thermal wall's random numbers.
+  std::uint64_t seed = 0;  ///< Seed of a thermal wall's random numbers.
   /// Whether spheres return from a thermal wall within the plane z = 0: in a contact, as the box has it.
   bool is_flat = false;
 

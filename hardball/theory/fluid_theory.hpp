@@ -26,7 +26,7 @@ class FluidTheory {
  public:
   /// The densest fluid of equal spheres. Source: Hoover and Ree, J. Chem. Phys. 49 (1968) 3609.
   static constexpr double kFreezing = 0.494;
-  /// That of equal discs. Source: Bernard and Krauth, Phys. Rev. Lett. 107 (2011) 155704.
+  /// The densest fluid of equal discs. Source: Bernard and Krauth, Phys. Rev. Lett. 107 (2011) 155704.
   static constexpr double kFreezingOfDiscs = 0.700;
 
   /// By which fraction diffusion() may be off [1].
@@ -37,22 +37,22 @@ class FluidTheory {
   static constexpr double kBulkViscosityTolerance = 0.15;
   static constexpr double kThermalConductivityTolerance = 0.07;
 
-  /// Of no fluid; holds for none.
+  /// The theory of no fluid; holds() is false.
   FluidTheory() = default;
 
   FluidTheory(const World& world, const SpeciesList& species);
 
   bool holds() const { return holds_; }
-  /// Whether all spheres pass through each other, so that nothing brings them to equilibrium.
+  /// Whether all spheres pass through each other, and so never reach equilibrium.
   bool is_ideal() const { return is_ideal_; }
   /// By which fraction Z - 1, contact values and collision rates may be off [1]: what the equations of state
   /// leave open, and in dense systems of few spheres what the periodic images do.
   double tolerance() const;
 
   /// Z = d P V / sum of m v^2 [1]: that of equal radii by fluid_compressibility, of others by the equation of
-  /// Carnahan and Starling, extended to mixtures; of discs by fluid_compressibility_of_discs, likewise
-  /// extended. Source: Mansoori, Carnahan, Starling and Leland, J. Chem. Phys. 54 (1971) 1523; Santos, Yuste
-  /// and Lopez de Haro, Mol. Phys. 96 (1999) 1, and for contact values J. Chem. Phys. 117 (2002) 5785.
+  /// Carnahan and Starling, extended to mixtures; of discs by fluid_compressibility_of_discs, extended to
+  /// mixtures, too. Source: Mansoori, Carnahan, Starling and Leland, J. Chem. Phys. 54 (1971) 1523; Santos,
+  /// Yuste and Lopez de Haro, Mol. Phys. 96 (1999) 1, and for contact values J. Chem. Phys. 117 (2002) 5785.
   double compressibility() const;
   /// How much likelier than in a dilute gas spheres of two species touch [1]. Source: as for compressibility.
   double contact_value(std::size_t a, std::size_t b) const;
@@ -73,18 +73,20 @@ class FluidTheory {
   /// corrected by Alder, Gass and Wainwright, J. Chem. Phys. 53 (1970) 3813.
   double diffusion(double temperature) const;
   /// By how much the diffusion constant of an infinite system is larger than that in this box, a cube [L^2
-  /// T^-1]; NaN for mixtures, and for discs. Source: Yeh and Hummer, likewise.
+  /// T^-1]; NaN for mixtures, and for discs. Source: Yeh and Hummer, J. Phys. Chem. B 108 (2004) 15873.
   double diffusion_missing(double temperature) const;
   /// Viscosity of equal spheres by Enskog's theory [M L^-1 T^-1]; NaN for mixtures, and for discs. Source:
   /// Chapman and Cowling, section 16.41, with the higher orders of the dilute gas.
   double enskog_viscosity(double temperature) const;
-  /// The same times what simulations find it to be off: within kViscosityTolerance. Source: Alder, Gass and
-  /// Wainwright, likewise.
+  /// Viscosity of equal spheres by Enskog's theory, multiplied by the correction that simulations find [M
+  /// L^-1 T^-1]; within kViscosityTolerance. Source: Alder, Gass and Wainwright, J. Chem. Phys. 53 (1970)
+  /// 3813.
   double viscosity(double temperature) const;
-  /// Bulk viscosity, likewise [M L^-1 T^-1]; zero for a dilute gas. Source: Chapman and Cowling, likewise.
+  /// Bulk viscosity of equal spheres by Enskog's theory [M L^-1 T^-1]; zero for a dilute gas; NaN for
+  /// mixtures, and for discs. Source: Chapman and Cowling, section 16.41.
   double enskog_bulk_viscosity(double temperature) const;
-  /// Thermal conductivity over Boltzmann's constant, likewise [L^-1 T^-1]. Source: Chapman and Cowling,
-  /// section 16.42.
+  /// Thermal conductivity of equal spheres over Boltzmann's constant by Enskog's theory [L^-1 T^-1]; NaN for
+  /// mixtures, and for discs. Source: Chapman and Cowling, section 16.42.
   double enskog_thermal_conductivity(double temperature) const;
 
  private:

@@ -11,15 +11,15 @@
 
 namespace hardball {
 
-/// Of more spheres, what an event needs is far away in memory.
+/// From this number of spheres on, what an event needs is far away in memory.
 inline constexpr std::size_t kVeryManySpheres = 300000;
 
 /// What kinetic theory needs of a world: averages over its spheres, and its box.
 struct HARDBALL_EXPORT GasStatistics {
   std::size_t spheres = 0;
   Box box;
-  /// Of the box; along open axes, of the interval that holds most spheres [L]. Zero along z in two
-  /// dimensions, where volumes are areas.
+  /// Edge lengths of the box; along open axes, the length of the interval that holds most spheres [L]. Zero
+  /// along z in two dimensions, where volumes are areas.
   Vec3 extent;
   /// The mean of the k-th power of the radius, k = 0 to 5 [L^k].
   std::array<double, 6> radius_power{1, 0, 0, 0, 0, 0};
@@ -30,7 +30,7 @@ struct HARDBALL_EXPORT GasStatistics {
 
   bool is_flat() const { return box.is_flat(); }
   double mean_radius() const { return radius_power[1]; }                             ///< [L]
-  double mean_speed_along_axis() const;                                              ///< Of |v_x| [L/T]
+  double mean_speed_along_axis() const;                                              ///< Mean of |v_x| [L/T].
   double volume() const { return box.volume_of(extent); }                            ///< [L^3]
   double number_density() const { return static_cast<double>(spheres) / volume(); }  ///< [L^-3]
   double packing_fraction() const;                                                   ///< [1]
@@ -42,7 +42,7 @@ struct HARDBALL_EXPORT GasStatistics {
 };
 
 /// Sums over spheres, of which these averages are made: the same to the bit in whichever order spheres are
-/// noted, and however they are divided among several such sums.
+/// added, and however they are divided among several such sums.
 struct HARDBALL_EXPORT GasSums {
   std::size_t spheres = 0;
   std::array<ExactSum, 6> radius_power;  ///< [L^k]
@@ -61,9 +61,9 @@ struct HARDBALL_EXPORT GasSums {
 /// Cost: O(n).
 HARDBALL_EXPORT GasStatistics gas_statistics(const World& world, const Time& moment);
 
-/// Whether the sums tell all, and it does not matter where the spheres of a world are.
+/// Whether the sums suffice, so that it does not matter where the spheres of a world are.
 HARDBALL_EXPORT bool fills_box(const World& world);
-/// The same of sums over the spheres of a world, which itself tells only of the box. Precondition:
+/// Statistics from sums over the spheres of a world, of which only the box is used. Precondition:
 /// fills_box(world).
 HARDBALL_EXPORT GasStatistics gas_statistics(const GasSums& sums, const World& world);
 

@@ -43,7 +43,8 @@ double wall_rate(const GasStatistics& statistics);
 /// of state; for discs that of Henderson, Mol. Phys. 30 (1975) 971.
 double excess_about_sphere(const GasStatistics& statistics);
 
-/// The same when the sphere touches another, which is counted [1].
+/// The excess over the mean of the number of spheres in a large region around a sphere that touches another,
+/// which is counted [1].
 /// Source: as above, differentiated with respect to density; docs/theory.md.
 double excess_about_pair(const GasStatistics& statistics);
 

@@ -9,7 +9,7 @@
 
 namespace hardball {
 
-/// Tells when spheres that gravity presses together are at rest.
+/// Decides when spheres that gravity presses together are at rest.
 ///
 /// Hard spheres bear a weight only by contacts and so never stand still. They count as at rest if their
 /// kinetic energy is less than a hundredth of what lifts all of them by a diameter d, and none moves, or has

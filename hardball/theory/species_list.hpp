@@ -18,7 +18,7 @@ class SpeciesList {
  public:
   static constexpr std::size_t kMaxSpecies = 8;
 
-  /// Of no spheres.
+  /// The species of no spheres.
   SpeciesList() = default;
 
   /// Cost: O(n).

@@ -29,7 +29,7 @@ struct ThermalMotion {
   }
 };
 
-/// The mean magnitude of one component of a motion of fixed energy, in so many degrees of freedom, over that
+/// The mean magnitude of one component of a motion of fixed energy, in f degrees of freedom, over that
 /// of a normal distribution with the same variance [1]: 1 + 1 / 4f for many. The direction of the motion is
 /// uniform on a sphere in f dimensions.
 double mean_over_normal(double degrees_of_freedom);

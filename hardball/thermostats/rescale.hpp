@@ -14,13 +14,13 @@
 namespace hardball {
 
 /// At equal intervals all velocities are scaled so that the temperature is exact: that of the measure
-/// `temperature`, 2 E / f, with E relative to the common drift along axes on which nothing outside acts. The
+/// `temperature`, 2 E / f, with E relative to the common drift along axes without external forces. The
 /// drift stays, and with it the momentum of a periodic box. Spheres without relative motion do not change. In
 /// a sheared box all of it is relative to the flow.
 ///
-/// With slabs, velocities are relative to the mean in each slab across y: to the flow as it is, where its
-/// profile is not known, or not linear.
-/// Source: Woodcock, Chem. Phys. Lett. 10 (1971) 257; Evans and Morriss, Phys. Rev. Lett. 56 (1986) 2172.
+/// With slabs, velocities are relative to the mean in each slab across y: to the actual flow, whose profile
+/// may be unknown or not linear. Source: Woodcock, Chem. Phys. Lett. 10 (1971) 257; Evans and Morriss, Phys.
+/// Rev. Lett. 56 (1986) 2172.
 class HARDBALL_EXPORT Rescale {
  public:
   static constexpr std::string_view kName = "rescale";

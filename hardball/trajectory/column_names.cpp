@@ -72,7 +72,7 @@ constexpr std::array<VectorSynonym, 22> kVectorSynonyms{
 // From how many letters on a name is a word, which may also follow the component.
 constexpr std::size_t kWordLetters = 3;
 
-// Without a unit in brackets at its end; an index in brackets is none.
+// Without a unit in brackets at its end; an index in brackets is not a unit.
 std::string_view without_unit(std::string_view name) {
   if (!name.ends_with(']') && !name.ends_with(')')) return name;
   const std::size_t open = name.find_last_of("[(");

@@ -12,8 +12,8 @@ namespace hardball {
 ///
 /// Case, blanks, punctuation and units in brackets do not matter. Components of vectors may be numbered from
 /// zero, as ParaView writes them. `X [m]`, `Points:0`, `pos_x` and `X Position` become `x`; `velocity:1` and
-/// `VelY` become `vy`. If several columns mean the same, the one with the plainest name does, and the others
-/// are left as they are. The text of new names is static. Error, at `where`: two names are equal in this
+/// `VelY` become `vy`. If several columns mean the same, the one with the plainest name counts, and the
+/// others keep their names. The text of new names is static. Error, at `where`: two names are equal in this
 /// sense.
 std::vector<Token> known_columns(std::vector<Token> names, const TextLocation& where);
 

@@ -95,7 +95,7 @@ Pairs parse_comment(std::string_view line, const TextLocation& location) {
         if (close == std::string_view::npos) {
           const bool is_quote = line[at] == '"' || line[at] == '\'';
           throw Error(is_quote ? "the quote is never closed" : "the bracket is never closed",
-                      location.text(at), "end the value with what closes it");
+                      location.text(at), "end the value with the matching quote, bracket or brace");
         }
         value = {{line.substr(at + 1, close - at - 1), at + 1}, line[at]};
         at = close + 1;
@@ -281,7 +281,7 @@ std::vector<Token> items_of(const Value& value) {
   return items;
 }
 
-// The numbers of a value, if the frame has it. Error: they are not as many, or one is none.
+// The numbers of a value, if the frame has it. Error: their number differs, or one is not a number.
 template <std::size_t count>
 std::optional<std::array<double, count>> numbers_of(const Pairs& pairs, std::string_view key,
                                                     const TextLocation& location) {

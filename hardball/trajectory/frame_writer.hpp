@@ -28,9 +28,9 @@ struct TrajectoryPosition {
 
 /// A frame whose spheres come in parts, in the order of ids.
 struct FrameParts {
-  Snapshot head;                             ///< Without spheres.
-  std::size_t spheres = 0;                   ///< How many there are.
-  SphereTypes types;                         ///< Of all of them.
+  Snapshot head;                             ///< The snapshot without its spheres.
+  std::size_t spheres = 0;                   ///< Number of spheres.
+  SphereTypes types;                         ///< Types of all spheres.
   Function<std::optional<Snapshot>()> next;  ///< The next part; nothing at the end.
 };
 
@@ -43,14 +43,16 @@ class HARDBALL_EXPORT FrameWriter {
   /// Appends frame number `frame`, so that readers find it. Error (RunFailure): it cannot be written; the
   /// file then ends with the previous frame.
   virtual void append(const Snapshot& snapshot, std::uint64_t frame) = 0;
-  /// The same of a frame in parts. Error: the format needs all spheres at once.
+  /// Appends frame number `frame`, whose spheres come in parts. Error: the format needs all spheres at once.
+  /// Error (RunFailure): it cannot be written.
   virtual void append(const FrameParts& parts, std::uint64_t frame);
-  /// Makes what tells readers of the frames complete, where that is not done with every frame. Error: as
-  /// above.
+  /// Completes what readers need to find the frames, where that is not done with every frame. Error
+  /// (RunFailure): it cannot be written.
   virtual void flush() {}
-  /// Waits until all frames are on the disk, flushes, and returns how to continue from here. Error: as above.
+  /// Waits until all frames are on the disk, flushes, and returns how to continue from here. Error
+  /// (RunFailure): as for flush.
   virtual TrajectoryPosition position() = 0;
-  /// Completes and closes the file; does nothing if it is closed. Error: as above.
+  /// Completes and closes the file; does nothing if it is closed. Error (RunFailure): as for flush.
   virtual void close() = 0;
 };
 

@@ -50,7 +50,7 @@ struct Header {
   std::uint64_t names_length = 0;  ///< In units of kNameBytes.
 };
 
-/// Where a chunk is: a matrix of numbers.
+/// The place of a chunk, which is a matrix of numbers.
 struct Entry {
   static constexpr std::size_t kBytes = 32;
 
@@ -136,7 +136,7 @@ enum class Chunk : std::uint16_t {
   bond_type_id,
   bonds
 };
-/// So many names the oldest files have that a run may go on with.
+/// How many names the oldest files have that a run can continue.
 inline constexpr std::size_t kFewestNames = 23;
 inline constexpr std::array<std::string_view, 27> kChunkNames{
     "configuration/step",

@@ -323,7 +323,7 @@ void GsdTrajectory::write_unless_as_first(Chunk chunk, Type type, std::size_t co
   if (frame_ == 0) first = std::move(bytes);
 }
 
-// Tells readers of the frame: its chunks are in the file before.
+// Makes readers see the frame, whose chunks are in the file already.
 void GsdTrajectory::write_entries() {
   if (entries_.size() + new_entries_.size() > header_.index_entries) {
     header_.index_entries = 2 * (entries_.size() + new_entries_.size());

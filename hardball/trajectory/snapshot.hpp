@@ -20,7 +20,7 @@ struct SnapshotBox {
   Vec3 size;  ///< Edge lengths [L].
   std::array<bool, kAxes> is_periodic{};
   bool is_unbounded = false;  ///< Along some axis it only spans the spheres.
-  bool is_flat = false;       ///< It is a plane, and the spheres are discs.
+  bool is_flat = false;       ///< The box is a plane, and the spheres are discs.
   /// Whether the file says along which axes it is periodic.
   bool are_boundaries_known = true;
   /// By how much its upper end along y is displaced along x against the lower one, in a sheared box: at most
@@ -39,7 +39,7 @@ HARDBALL_EXPORT std::string text_of(const SnapshotBox& box);
 /// The spheres at one moment: what a frame of a trajectory holds, whatever its format.
 struct HARDBALL_EXPORT Snapshot {
   std::vector<Sphere> spheres;     ///< By ascending id, if they have ids.
-  std::vector<std::int64_t> ids;   ///< Of the spheres; none if the file has none.
+  std::vector<std::int64_t> ids;   ///< Ids of the spheres; none if the file has none.
   std::vector<Image> images;       ///< By how many boxes each was folded back; none if the file has none.
   std::vector<std::size_t> lines;  ///< Where each sphere is in a text file; none otherwise.
   std::vector<std::array<std::int64_t, 2>> bonds;  ///< The ids of pairs that are tied to each other.
@@ -51,7 +51,7 @@ struct HARDBALL_EXPORT Snapshot {
   std::int64_t id(std::size_t sphere) const {
     return ids.empty() ? static_cast<std::int64_t>(sphere) : ids[sphere];
   }
-  /// Which of the spheres has this id. Error: none. Cost: O(log n).
+  /// The index of the sphere with this id. Error: no sphere has it. Cost: O(log n).
   std::size_t sphere_of(std::int64_t id) const;
   Image image(std::size_t sphere) const { return images.empty() ? Image{} : images[sphere]; }
   /// The place of a sphere in the file of this name, for messages.

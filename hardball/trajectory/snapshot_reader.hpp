@@ -21,7 +21,7 @@ class HARDBALL_EXPORT SnapshotReader {
   /// The number of frames, at least one.
   virtual std::size_t frames() const = 0;
   /// A frame; reading them in order is fastest. Precondition: there is one of this number. Error, with its
-  /// place in the file: it is not what the format prescribes, or a number is none.
+  /// place in the file: it is not what the format prescribes, or a number cannot be read.
   virtual Snapshot read(std::size_t frame) = 0;
 };
 

@@ -39,12 +39,12 @@ enum class SphereColumn {
 };
 inline constexpr std::size_t kSphereColumns = 19;
 
-/// Their names, in the order of SphereColumn.
+/// The names of the columns, in the order of SphereColumn.
 inline constexpr std::array<std::string_view, kSphereColumns> kSphereColumnNames{
     "x",    "y",  "z",  "vx", "vy",     "vz",     "radius", "diameter", "mass",      "id",
     "type", "ix", "iy", "iz", "omegax", "omegay", "omegaz", "moment",   "species_id"};
 
-/// Where the columns of a table are; others are ignored.
+/// The places of the columns of a table; others are ignored.
 ///
 /// Required are `x y z` and either `radius` or `diameter`. `vx vy vz` is the velocity; `mass` is 1 if not
 /// given; `omegax omegay omegaz` is the angular velocity; `type` counts from one, and is the species

@@ -61,9 +61,9 @@ bool parse(std::string_view text, Number& number) {
 
 /// The token as a finite number, named in messages. Error, at its location: it is not one.
 double parse_real(const Token& token, std::string_view name, const TextLocation& location);
-/// The same of an integer.
+/// The token as an integer, named in messages. Error, at its location: it is not one.
 std::int64_t parse_integer(const Token& token, std::string_view name, const TextLocation& location);
-/// The same of a mass, which may be "inf".
+/// The token as a mass, which may be "inf". Error, at its location: it is not one.
 double parse_mass(const Token& token, const TextLocation& location);
 /// The species of a type: types count from one; beyond what species there may be, they mean something else.
 std::uint8_t species_of_type(std::int64_t type);

@@ -22,7 +22,7 @@ class ZstdCompressor;
 using AppendText = std::function<void(std::string_view)>;
 /// Passes on the bytes of a frame.
 using AppendFrame = void (*)(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
-/// Passes on what stands before the spheres of a frame, so many and of these types; those of `head` do not
+/// Passes on what precedes the spheres of a frame, given their number and types; the spheres of `head` do not
 /// matter.
 using AppendHead = void (*)(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
                             std::uint64_t frame, const AppendText& append);

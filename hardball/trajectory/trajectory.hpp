@@ -23,20 +23,22 @@ class HARDBALL_EXPORT Trajectory {
   /// not say what format it has.
   explicit Trajectory(const std::filesystem::path& path);
   /// Continues where the trajectory was at `position`; what follows is cut off as soon as anything is called,
-  /// and not before. Error: likewise; it is shorter, or contains something else there.
+  /// and not before. Error: it cannot be opened for writing; it is shorter, or contains something else there.
   Trajectory(const std::filesystem::path& path, const TrajectoryPosition& position);
 
   /// Appends a frame. Precondition: no contact lies between the stored paths and `moment`; a file with a
   /// single frame has none yet. Cost: O(n). Error (RunFailure): it cannot be written.
   void append(const World& world, const Time& moment);
   void append(const Snapshot& snapshot);
-  /// Appends a frame whose spheres come in parts. Error: as above; the format needs all spheres at once.
+  /// Appends a frame whose spheres come in parts. Error: the format needs all spheres at once. Error
+  /// (RunFailure): it cannot be written.
   void append(const FrameParts& parts);
 
   /// Hands to the operating system what readers need to find all frames. Error (RunFailure): it cannot be
   /// written.
   void flush();
-  /// The same, and closes the file; does nothing if it is closed. Error (RunFailure): likewise.
+  /// Completes the file for readers and closes it; does nothing if it is closed. Error (RunFailure): it
+  /// cannot be written.
   void close();
 
   /// Waits until all frames are on the disk, and returns where they end. Error (RunFailure): as for flush.

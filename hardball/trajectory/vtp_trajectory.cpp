@@ -211,7 +211,7 @@ void VtpTrajectory::find_first(const TrajectoryPosition& position) {
   is_too_long_ = true;
 }
 
-// Of the collection so far and its last frames.
+// Positions of the collection so far and of its last frames.
 std::uint64_t VtpTrajectory::checksum() const {
   std::string parts = entries_;
   std::uint64_t summed = 0;

@@ -33,7 +33,8 @@ double sum_rows_at_wall(double edge, double reached, double room) {
   return edge * near * (near + 1) / 2 + (reached - near) * room;
 }
 
-// An axis that does not exist in two dimensions is like a single cell, so long that spheres are points in it.
+// An axis that does not exist in two dimensions is like a single cell that is so long that spheres are points
+// in it.
 CellAxis missing_axis(double edge) {
   const double length = 0x1p60 * edge;
   return {.edge = length, .room = length, .crossings = 0, .is_divided = false};

@@ -10,16 +10,16 @@ namespace hardball {
 
 /// Cells along one axis of the box, and the effect of its walls on CellCounts.
 struct CellAxis {
-  double edge = 0;         ///< Of a cell [L].
+  double edge = 0;         ///< Edge of a cell [L].
   double room = 0;         ///< The length accessible to centers [L].
   double crossings = 0;    ///< Cell faces that a sphere's front crosses per length along the axis [1/L].
-  bool is_divided = true;  ///< There are such faces.
+  bool is_divided = true;  ///< There are faces of cells along the axis.
   bool has_nearest_images = true;  ///< Spheres that share a cell are nearest images of each other.
-  double rows = 1;                 ///< Of cells that a sphere touches, relative to that far from walls [1].
-  double rows_at_wall = 1;         ///< The same for spheres touching one of the walls.
+  double rows = 1;  ///< Rows of cells that a sphere touches, relative to the number far from walls [1].
+  double rows_at_wall = 1;  ///< Rows for spheres that touch one of the walls [1].
   /// The candidates of a sphere, counted in each of these rows, relative to those far from walls [1].
   double candidates = 1;
-  double candidates_at_wall = 1;  ///< The same for spheres touching one of the walls.
+  double candidates_at_wall = 1;  ///< Candidates for spheres that touch one of the walls [1].
 };
 
 using CellAxes = std::array<CellAxis, kAxes>;

@@ -33,7 +33,7 @@ double mean_region(const CellAxes& axes, const RowSurplus& surplus, const Powers
   return region;
 }
 
-// The same product over two of the axes only [L^2].
+// The mean product over two of the axes only [L^2].
 double mean_section(const CellAxes& axes, const RowSurplus& surplus, const Powers& width,
                     std::size_t left_out) {
   const std::size_t b = (left_out + 1) % kAxes;
@@ -48,7 +48,8 @@ Powers diameter_powers(const std::array<double, 6>& radius_power) {
   return {1, 2 * radius_power[1], 4 * radius_power[2], 8 * radius_power[3]};
 }
 
-// The same for colliding spheres, weighted by the squared sum of the two radii, of discs by their sum.
+// Means of the powers of the diameter of a colliding sphere, weighted by the squared sum of the two radii, of
+// discs by their sum.
 Powers colliding_diameter_powers(const std::array<double, 6>& m, bool is_flat) {
   if (is_flat)
     return {1, (m[1] * m[1] + m[2]) / m[1], 2 * (m[1] * m[2] + m[3]) / m[1], 4 * (m[3] + m[4] / m[1])};
@@ -79,14 +80,14 @@ double shared_cells(const CellAxes& axes, double diameter, const Separation& mea
          (1 - 3 * mean.one + 3 * mean.two - mean.three) * x * y * z;
 }
 
-// The same in one row of cells across an axis.
+// The mean number of shared cells in one row of cells across an axis.
 double shared_cells_in_row(const CellAxes& axes, double diameter, const Separation& mean, std::size_t axis) {
   const double x = diameter / axes[(axis + 1) % kAxes].edge;
   const double y = diameter / axes[(axis + 2) % kAxes].edge;
   return 1 + (1 - mean.one) * (x + y) + (1 - 2 * mean.one + mean.two) * x * y;
 }
 
-// The spheres of other cells in the list of a cell, each in so many cells. Cells are spread over lists so
+// The spheres of other cells in the list of a cell, each in this many cells. Cells are spread over lists so
 // that the variance of their number in a list is about a fifth of its mean, except in long and narrow boxes.
 double found_elsewhere(const GasStatistics& statistics, double edge, double cells) {
   const Subdivision subdivision(statistics.box, edge);
@@ -146,8 +147,8 @@ CellCounts expected_counts(const GasStatistics& statistics, double edge) {
   const double after_wall = mean_region(axes, none, one) / cell;
   const double at_any_time = mean_region(axes, surplus, one) / cell;
   const double when_stale = mean_region(axes, surplus, colliding) / cell;
-  // In each of them there is the sphere itself, and so many others. Candidates that come with their images
-  // are collected once, and without the sphere.
+  // In each of them there is the sphere itself, and this number of others. Candidates that come with their
+  // images are collected once, and without the sphere.
   const double diameter = one[1];
   const bool is_once = counts.are_images_listed;
   const auto repeated = [&](std::size_t axis) {

@@ -22,7 +22,7 @@ double rebuild_cost(const CellCounts& counts, const UnitCosts& costs);
 /// docs/theory.md.
 double optimal_cell_edge(const GasStatistics& statistics, const UnitCosts& costs = {});
 
-/// The same with its cost, for a CellGrid of spheres of about one size.
+/// The optimal edge with its cost, for a CellGrid of spheres of about one size.
 BestLength best_cell_edge(const GasStatistics& statistics, const UnitCosts& costs);
 
 /// The edge [L] by the paper's own equation, where c1 and c3 are the cost of a prediction and c4 that of
@@ -39,7 +39,7 @@ class CellEdgeWatch {
 
   /// Starts over with cells of this edge [L].
   void restart(double edge);
-  /// That edge [L].
+  /// The edge of the cells in use [L].
   double edge() const { return edge_; }
 
   /// The new edge [L] if cells should be rebuilt, `elapsed` [T] after the last call. It anticipates the best

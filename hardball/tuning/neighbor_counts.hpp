@@ -13,13 +13,13 @@ struct NeighborCounts {
   double collision = 0;
   double wall = 0;
   double stale = 0;
-  double rebuild = 0;  ///< It reaches the edge of its ball.
+  double rebuild = 0;  ///< A sphere reaches the edge of its ball.
 
-  double neighbors = 0;  ///< In its list [1].
-  double searched = 0;   ///< Anchors in the cells around its own [1].
+  double neighbors = 0;  ///< Neighbors in a sphere's list [1].
+  double searched = 0;   ///< Anchors in the cells around a sphere's own [1].
   bool is_far = false;   ///< Whether these are far away in memory.
   double listed = 0.9;   ///< What a neighbor in a list costs, in candidates of a cell [1].
-  double rows = 9;       ///< Of three cells that are adjacent in memory, visited by a rebuild [1].
+  double rows = 9;       ///< Rows of three cells that are adjacent in memory, visited by a rebuild [1].
 };
 
 /// The counts expected for balls of radius `skin` [L]. Cost: O(1). Precondition: `skin` is positive.
@@ -32,7 +32,7 @@ double cost_rate(const NeighborCounts& counts, const UnitCosts& costs);
 /// longer lists. Cost: O(1).
 double optimal_skin(const GasStatistics& statistics, const UnitCosts& costs = {});
 
-/// The same with its cost.
+/// The optimal ball radius with its cost.
 BestLength best_skin(const GasStatistics& statistics, const UnitCosts& costs);
 
 }  // namespace hardball

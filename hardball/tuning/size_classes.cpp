@@ -15,7 +15,7 @@
 namespace hardball {
 namespace {
 
-// A cell that a large sphere searches costs more by so many others: measured, docs/theory.md.
+// A cell that a large sphere searches costs this many cells more: measured, docs/theory.md.
 constexpr double kLargeCell = 6;
 
 // Of velocities distributed as Maxwell's.

@@ -20,7 +20,7 @@ struct SizeClass {
 /// All spheres by size, in classes a quarter of an octave wide, from the smallest on. Cost: O(n).
 std::vector<SizeClass> size_classes(const World& world, const Time& moment);
 
-/// Whether sizes differ so much that cells should be chosen by size classes: statistics do not tell what the
+/// Whether sizes differ so much that cells should be chosen by size classes: statistics do not say what the
 /// large spheres cost.
 bool are_sizes_spread(const GasStatistics& statistics);
 

@@ -26,8 +26,8 @@ struct UnitCosts {
 /// are not free.
 bool are_meaningful(const UnitCosts& costs);
 
-/// The unit costs where so many spheres are far away in memory: every cell and every candidate is another
-/// line of it.
+/// The unit costs for this many spheres, which are far away in memory: every cell and every candidate is
+/// another cache line.
 UnitCosts costs_with_memory(const GasStatistics& statistics, UnitCosts costs);
 
 /// The length at which a broad phase is predicted to cost least; see PhaseSettings.

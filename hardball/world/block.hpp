@@ -16,7 +16,7 @@ namespace hardball {
 /// A part of the box: an interval along the axes that are divided, and all of it along the others.
 class Block {
  public:
-  /// All of the box.
+  /// A block that is the whole box.
   explicit Block(const Box& box) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       period_[axis] = box.is_periodic(axis) ? box.size()[axis] : 0;
@@ -38,7 +38,7 @@ class Block {
   /// The ends [L]; infinite where the box has no ends or walls, which nothing passes.
   double low(std::size_t axis) const { return low_[axis]; }
   double high(std::size_t axis) const { return high_[axis]; }
-  /// Of the box [L]; zero along an axis that is not periodic.
+  /// The period of the box [L]; zero along an axis that is not periodic.
   double period(std::size_t axis) const { return period_[axis]; }
   /// Whether the block is only a part of the box along an axis.
   bool is_divided(std::size_t axis) const { return is_divided_[axis]; }
@@ -57,7 +57,7 @@ class Block {
     return largest;
   }
 
-  /// The block and what is so near it [L], all of the box along axes that are not divided.
+  /// The block and everything within this distance of it [L]; the whole box along axes that are not divided.
   Extent surroundings(double depth) const {
     Extent extent;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -78,7 +78,7 @@ class Block {
     return most;
   }
 
-  /// The same for the nearest point of another block.
+  /// The distance of the nearest point of another block [L].
   double distance(const Block& other) const {
     double most = -kInfinity;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

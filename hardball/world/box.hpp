@@ -23,8 +23,8 @@ namespace hardball {
 enum class Boundary {
   wall,      ///< Hard faces at 0 and at the size.
   periodic,  ///< Spheres that leave at one end enter at the other.
-  open,      ///< Nothing: space is unbounded.
-  flat,      ///< There is no such axis, and everything lies at 0: z in two dimensions.
+  open,      ///< Space is unbounded.
+  flat,      ///< The axis does not exist, and everything lies at 0: z in two dimensions.
 };
 
 /// By the number of the face: what users call the faces of the box.
@@ -57,7 +57,7 @@ class HARDBALL_EXPORT Box {
     return {{Boundary::periodic, Boundary::periodic, Boundary::periodic}, size};
   }
   static Box open() { return {}; }
-  /// The same in two dimensions, of width and height [L].
+  /// A box in two dimensions with walls, of width and height [L].
   static Box flat_walls(double x, double y) {
     return {{Boundary::wall, Boundary::wall, Boundary::flat}, {x, y, 0}};
   }
@@ -121,7 +121,7 @@ class HARDBALL_EXPORT Box {
   }
   /// [L^3], in two dimensions the area [L^2]; infinite if an axis is open.
   double volume() const { return volume_of(size_); }
-  /// The same of a part of the box with these edge lengths [L].
+  /// The volume of a part of the box with these edge lengths [L^3], in two dimensions the area [L^2].
   double volume_of(const Vec3& size) const { return is_flat() ? size.x * size.y : size.x * size.y * size.z; }
   /// The area of a face across an axis [L^2], in two dimensions the length of an edge [L].
   double face_area(std::size_t axis) const {
@@ -133,7 +133,7 @@ class HARDBALL_EXPORT Box {
     return is_flat() ? std::numbers::pi * radius * radius
                      : 4 * std::numbers::pi / 3 * radius * radius * radius;
   }
-  /// Its surface [L^2], the circumference of the disc [L].
+  /// The surface of a sphere of this radius [L^2], in two dimensions the circumference of a disc [L].
   double sphere_surface(double radius) const {
     return is_flat() ? 2 * std::numbers::pi * radius : 4 * std::numbers::pi * radius * radius;
   }
@@ -144,7 +144,7 @@ class HARDBALL_EXPORT Box {
   Vec3 shift(const Image& image) const {
     return {image[0] * period_.x, image[1] * period_.y, image[2] * period_.z};
   }
-  /// The same at `moment`, also in a sheared box.
+  /// The displacement [L] of `image` at `moment`, also in a sheared box.
   Vec3 shift(const Image& image, const Time& moment) const {
     Vec3 shift = this->shift(image);
     if (is_sheared() && image[1] != 0) shift.x = images_.shift(image[0], image[1], moment);
@@ -156,7 +156,7 @@ class HARDBALL_EXPORT Box {
   /// Edge lengths along periodic axes, zero along the others [L].
   const Vec3& period() const { return period_; }
 
-  /// Their reciprocals, zero along axes that are not periodic [1/L].
+  /// The reciprocals of the periods, zero along axes that are not periodic [1/L].
   const Vec3& inverse_period() const { return inverse_period_; }
 
   /// The largest number of boxes by which a position may lie outside along a periodic axis [1].
@@ -176,7 +176,8 @@ class HARDBALL_EXPORT Box {
     return beyond;
   }
 
-  /// By how many boxes `position` lies outside this one at `moment`, also in a sheared box. Error: likewise.
+  /// By how many boxes `position` lies outside this one at `moment`, also in a sheared box. Error
+  /// (RunFailure): more than 2^30 boxes away.
   Image boxes_beyond(const Vec3& position, const Time& moment) const {
     if (needs_no_folding(position)) return {};
     return is_sheared() ? count_sheared_boxes_beyond(position, moment) : count_boxes_beyond(position);

@@ -13,7 +13,8 @@ namespace hardball {
 /// Morton, A computer oriented geodetic data base, IBM (1966).
 std::vector<Slot> order_along_curve(const World& world, const Time& moment);
 
-/// Puts the spheres of a world that has no journal into this order, if they are so many that it pays.
+/// Puts the spheres of a world that has no journal into this order, if there are enough of them for that to
+/// pay.
 void put_in_order(World& world, const Time& moment);
 
 }  // namespace hardball

@@ -32,8 +32,8 @@ class Journal {
     level,    ///< The level of a pair.
   };
   struct Change {
-    Time time;      ///< Of the change [T].
-    Slot slot = 0;  ///< Where the sphere is stored, or was.
+    Time time;      ///< Time of the change [T].
+    Slot slot = 0;  ///< The slot of the sphere at the time of the change.
     Kind kind = Kind::path;
   };
 

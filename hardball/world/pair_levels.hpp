@@ -12,7 +12,7 @@
 
 namespace hardball {
 
-/// Another sphere with which one is inside of a step.
+/// A partner of a sphere that is inside of a step of their potential.
 struct PairLevel {
   Slot partner = 0;
   StepTable::Number potential = StepTable::kNone;
@@ -45,7 +45,7 @@ class PairLevels {
 
   /// A sphere without pairs is no more, and the one in the `last` slot takes its place.
   void take_place(Slot slot, Slot last);
-  /// Undoes this.
+  /// Undoes take_place.
   void give_back(Slot slot, Slot last);
   /// Moves the sphere of slot order[k] to slot k.
   void reorder(std::span<const Slot> order);

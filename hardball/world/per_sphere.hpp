@@ -20,7 +20,7 @@ class PerSphere {
 
   /// Whether one number is stored for all.
   bool is_common() const { return each_.empty(); }
-  /// That number; zero if there are no spheres. Precondition: is_common().
+  /// The number that is stored for all; zero if there are no spheres. Precondition: is_common().
   double common() const { return common_; }
   /// The numbers by slot; empty if is_common().
   std::span<const double> each() const { return each_; }

@@ -163,7 +163,7 @@ class StaticHashGrid {
     return count > kFew + kEach * static_cast<double>(spheres_.size());
   }
 
-  // The same as search, by a visit to all spheres of the level in each box that these cells lie in.
+  // Searches by visiting all spheres of the level in each box that these cells lie in.
   template <class Predicate>
   bool search_all(const Level& level, const Cells& cells, const Vec3& center, double radius,
                   Predicate&& predicate) const {

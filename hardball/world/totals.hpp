@@ -69,7 +69,7 @@ struct Totals {
   }
 };
 
-/// Of all spheres of a world. Cost: O(n).
+/// The totals of all spheres of a world. Cost: O(n).
 HARDBALL_EXPORT Totals totals_of(const World& world, const Time& moment);
 
 }  // namespace hardball

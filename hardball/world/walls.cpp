@@ -77,7 +77,7 @@ Time time_of_face(const Setting& setting, const Path& path, double radius, std::
   return after(path.time, earliest_descent({{{{gap, 0}, {-approach, 0}, {-0.5 * pull, 0}}}}));
 }
 
-// The part of a cone between two faces of the box across its axis; NaN if its axis is none of the box's.
+// The part of a cone between two faces of the box across its axis; NaN if its axis is not one of the box's.
 double volume_within(const Cone& cone, const Vec3& apex, const Box& box) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double direction = cone.axis()[axis];

@@ -96,13 +96,13 @@ class HARDBALL_EXPORT World : CompilationCheck, public Setting, public Spheres {
   /// them.
   void set_interactions(const Interactions& interactions);
   /// Begins an epoch of growth, in which all radii are the base radii times a scale (geometry/growth.hpp).
-  /// Whoever has made structures for the spheres must rebuild them. Error: a number that is not finite, or a
+  /// Structures that were made for the spheres must be rebuilt. Error: a number that is not finite, or a
   /// scale that is not positive throughout; spheres that do not fit the box or a surface at its largest
   /// scale; anything that growth excludes: gravity, kinematic spheres, spins, rough spheres, species that
   /// merge or pass through each other, walls that move or have a temperature.
   void set_growth(const Growth& growth);
-  /// Ends growth: the radii at `moment` are the base radii from now on, and all paths begin anew. Whoever has
-  /// made structures must rebuild them. Precondition: there is no journal.
+  /// Ends growth: the radii at `moment` are the base radii from now on, and all paths begin anew. Structures
+  /// that were made for the spheres must be rebuilt. Precondition: there is no journal.
   void end_growth(const Time& moment);
   /// How much larger spheres may be expected to become by merging [1]: if some have grown, others may, too,
   /// and structures that are made for the largest leave room.

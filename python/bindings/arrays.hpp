@@ -13,7 +13,7 @@
 
 #include "hardball/geometry/vec3.hpp"
 
-/// Between what Python has, numbers and arrays of any kind, and what the library takes.
+/// Conversions between the numbers and arrays of Python and the types of the library.
 namespace hardball::python {
 
 /// An array of doubles in the order of C. Error: it is not made of real numbers.
@@ -26,24 +26,26 @@ Vec3 vector_of(const pybind11::handle& object, const std::string& name, bool is_
 /// The rows of an array of shape (n, 3) or, if `is_flat`, also of (n, 2): z is zero. Error: it has another
 /// shape.
 std::vector<Vec3> vectors_of(const pybind11::handle& object, const std::string& name, bool is_flat);
-/// The same, or the same vector for all, of which there are `count`. Error: there are not as many.
+/// The rows of an array of shape (count, 3) or, if `is_flat`, also of (count, 2), where z is zero; a single
+/// vector stands for all rows. Error: the array has another shape.
 std::vector<Vec3> vectors_of(const pybind11::handle& object, const std::string& name, bool is_flat,
                              std::size_t count);
 
-/// An array of shape (n), or the same number for all. Error: it has another shape or length.
+/// An array of shape (count), or one number for all. Error: it has another shape or length.
 std::vector<double> numbers_of(const pybind11::handle& object, const std::string& name, std::size_t count);
 
-/// The same of whole numbers from 0 to `most`. Error: likewise; one is no such number.
+/// An array of shape (count) of whole numbers from 0 to `most`, or one number for all. Error: it has another
+/// shape or length; an element is not such a number.
 std::vector<std::uint32_t> counts_of(const pybind11::handle& object, const std::string& name,
                                      std::size_t count, std::uint32_t most);
-/// An array of shape (n), or a single number. Error: as above.
+/// An array of shape (n), or a single number. Error: it has another shape.
 std::vector<std::uint32_t> counts_of(const pybind11::handle& object, const std::string& name,
                                      std::uint32_t most);
 
 /// A new array.
 pybind11::array_t<double> array_of(const Vec3& vector);
 
-/// An array that nobody can write to.
+/// A read-only array.
 template <class Array>
 Array read_only(Array array) {
   array.attr("setflags")(pybind11::arg("write") = false);
@@ -60,7 +62,7 @@ pybind11::array_t<Element> array_around(std::vector<Element> elements) {
                                   [](void* vector) { delete static_cast<std::vector<Element>*>(vector); });
   return pybind11::array_t<Element>(size, data, capsule);
 }
-/// The same of shape (n, 3).
+/// An array of shape (n, 3) that takes over the memory of the vectors.
 pybind11::array_t<double> array_around(std::vector<Vec3> vectors);
 
 }  // namespace hardball::python

@@ -259,7 +259,8 @@ void bind_surface(py::module_& module) {
           "A sphere of `radius` [L] around `point` [L] that spheres bounce off, and that nothing deflects.")
       .def_property_readonly("name", [](const Surface& self) { return std::string(self.name()); })
       .def_property_readonly(
-          "point", [](const Surface& self) { return read_only(array_of(self.point())); }, "At time zero [L].")
+          "point", [](const Surface& self) { return read_only(array_of(self.point())); },
+          "The point at time zero [L].")
       .def_property_readonly(
           "velocity", [](const Surface& self) { return read_only(array_of(self.velocity())); }, "[L/T]")
       .def("__repr__", [](const Surface& self) { return text_of(self); });
@@ -289,14 +290,15 @@ void bind_box(py::module_& module) {
             return with_faces(box_of(Boundary::wall, size, false), faces);
           },
           py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
-          "Between hard walls. `size` is the edge [L], or one length for each axis; `faces` as in Box.")
+          "A box with hard walls. `size` is the edge [L], or one length for each axis; `faces` as in Box.")
       .def_static(
           "periodic",
           [](const py::object& size, double shear_rate, double shear_offset) {
             return sheared(box_of(Boundary::periodic, size, false), shear_rate, shear_offset);
           },
           py::arg("size"), py::kw_only(), py::arg("shear_rate") = 0.0, py::arg("shear_offset") = 0.0,
-          "Spheres that leave at one end enter at the other. `size` is the edge [L], or one length "
+          "A box in which spheres that leave at one end enter at the other. `size` is the edge [L], or one "
+          "length "
           "for each axis; `shear_rate` and `shear_offset` as in Box.")
       .def_static("open", &Box::open, "Unbounded space.")
       .def_static(
@@ -305,14 +307,14 @@ void bind_box(py::module_& module) {
             return with_faces(box_of(Boundary::wall, size, true), faces);
           },
           py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
-          "Like walls, in two dimensions: spheres are discs.")
+          "A box with hard walls in two dimensions: spheres are discs.")
       .def_static(
           "flat_periodic",
           [](const py::object& size, double shear_rate, double shear_offset) {
             return sheared(box_of(Boundary::periodic, size, true), shear_rate, shear_offset);
           },
           py::arg("size"), py::kw_only(), py::arg("shear_rate") = 0.0, py::arg("shear_offset") = 0.0,
-          "Like periodic, in two dimensions: spheres are discs.")
+          "A periodic box in two dimensions: spheres are discs.")
       .def_static("flat_open", &Box::flat_open, "The whole plane: spheres are discs.")
       .def_property_readonly(
           "boundary",

@@ -13,7 +13,7 @@
 
 namespace hardball::python {
 
-/// A number with at most so many digits; "nan" of any sign.
+/// A number with at most `digits` digits; "nan" of any sign.
 inline std::string rounded_text(double number, int digits) {
   if (std::isnan(number)) return "nan";
   std::array<char, 40> text;

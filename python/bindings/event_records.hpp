@@ -13,7 +13,7 @@
 
 namespace hardball::python {
 
-/// What is recorded of a contact: an element of the array that Python gets.
+/// The record of a contact: an element of the array that Python gets.
 struct EventRecord {
   double time;           ///< [T]
   std::uint32_t kind;    ///< 0 a collision, 1 a wall.
@@ -35,7 +35,7 @@ class EventRecords {
                                contact.impact_speed(), {impulse.x, impulse.y, impulse.z}};
   }
 
-  /// All of them, as a structured array; none are left.
+  /// Moves all records to a structured array.
   pybind11::array take();
 
  private:

@@ -30,7 +30,7 @@ int digits_of(const Quantity& quantity) {
   return std::isfinite(digits) ? static_cast<int>(std::clamp(digits, 1.0, 17.0)) : kUsualDigits;
 }
 
-// Rounded as far as the error tells.
+// Rounded according to the error.
 std::string text_of(const Quantity& quantity) {
   std::string text = rounded_text(quantity.value, digits_of(quantity));
   if (!std::isnan(quantity.error)) text += " +- " + rounded_text(quantity.error, kDigitsOfErrors);

@@ -43,7 +43,7 @@ Processes& mpi_processes() {
   if (joined == nullptr) {
     joined = MpiProcesses::join_others(plugin_folders(), "./dev python").release();
     if (joined == nullptr) return one_process();
-    // Unlike the functions of atexit, those of on_exit are told the exit code.
+    // Unlike the functions of atexit, those of on_exit receive the exit code.
     on_exit(&leave, nullptr);
   }
   return *joined;
@@ -61,8 +61,8 @@ void require_in_all(py::error_already_set& error) {
 void bind_processes(py::module_& module) {
   using Class = py::class_<Processes, std::unique_ptr<Processes, py::nodelete>>;
   Class(module, "Processes", doc::Processes)
-      .def_property_readonly("rank", &Processes::rank, "Which of them this one is; the first is 0.")
-      .def_property_readonly("size", &Processes::size, "How many there are.")
+      .def_property_readonly("rank", &Processes::rank, "The rank of this process; the first is 0.")
+      .def_property_readonly("size", &Processes::size, "The number of processes.")
       .def("__repr__", [](const Processes& self) {
         return "<hardball.Processes: this is " + to_text(self.rank()) + " of " + to_text(self.size()) + ">";
       });

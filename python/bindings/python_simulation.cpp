@@ -201,8 +201,8 @@ py::object PythonSimulation::step(double end) {
 std::optional<NextContact> PythonSimulation::next_event(double end) {
   simulation();
   const Claim claim(*this);
-  // There may be none for ever, and much to do before each horizon, so that it comes nearer to `end` only as
-  // fast as somebody who waits can interrupt.
+  // There may never be one, and much to do before each horizon, so the horizon approaches `end` only as fast
+  // as the user can interrupt.
   constexpr auto kPatience = std::chrono::milliseconds(20);
   double span = usual_wait();
   for (;;) {
@@ -235,7 +235,7 @@ double PythonSimulation::usual_wait() const {
 }
 
 // What query(horizon) finds up to the horizon `end`, with horizons that double from `begin` on where a search
-// may take long, through many images of a periodic box; whoever interrupts waits no longer than before.
+// may take long, through many images of a periodic box; an interruption takes no longer than before.
 template <class Query>
 auto PythonSimulation::search(double begin, double span, double end, Query&& query) const {
   simulation();
@@ -267,7 +267,7 @@ std::optional<RayHit> PythonSimulation::ray(const Vec3& origin, const Vec3& dire
                 [&](double horizon) { return simulation_.ray(origin, direction, horizon); });
 }
 
-// Runs a copy that nobody listens to. Calls watch(simulation) before, and check(simulation) several times a
+// Runs a copy without listeners. Calls watch(simulation) before, and check(simulation) several times a
 // second.
 template <class Watch, class Check>
 void PythonSimulation::run_ahead(double end, std::uint64_t contacts, Watch&& watch, Check&& check) const {

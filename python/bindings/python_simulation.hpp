@@ -31,8 +31,8 @@ namespace hardball::python {
 /// may do what the library allows, but not run it again.
 class PythonSimulation {
  public:
-  /// Memory of zeros: pybind11 hands out objects whose classes in Python have not called __init__, and they
-  /// are told by that.
+  /// Memory of zeros: pybind11 hands out objects whose classes in Python have not called __init__, which are
+  /// recognized by it.
   static void* operator new(std::size_t size);
   static void operator delete(void* memory);
 
@@ -71,28 +71,29 @@ class PythonSimulation {
   std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double most) const;
   /// See Simulation::contacts_within. Error: KeyboardInterrupt, too, here and below.
   std::vector<Contact> contacts_within(double duration, std::uint64_t most);
-  /// Records in a file how the simulation would continue, up to `until` [T] or for so many contacts, if
-  /// nobody interfered: listeners are not called. Error: as for run; the recording grows beyond `most_bytes`.
+  /// Records in a file how the simulation would continue, up to `until` [T] or for a number of contacts,
+  /// without interference: listeners are not called. Error: as for run; the recording grows beyond
+  /// `most_bytes`.
   void record_ahead(const std::filesystem::path& path, double until, std::uint64_t contacts,
                     std::uint64_t most_bytes) const;
   /// See Simulation::positions_at.
   std::vector<Vec3> positions_at(double time);
 
-  /// See Simulation::change_velocities; the measures are told.
+  /// See Simulation::change_velocities; the measures record the edits.
   void change_velocities(std::span<const VelocityEdit> edits);
 
-  /// Replaces the function called after every contact, and the response; None for none.
+  /// Replaces the function called after every contact, or the response; None removes it.
   void set_listener(const pybind11::object& listener);
   void set_response(const pybind11::object& response);
   const std::optional<Callback>& response() const { return response_; }
-  /// None for none.
+  /// Replaces the thermostat; None removes it.
   void set_thermostat(const pybind11::object& thermostat, std::uint64_t seed);
 
   /// Measures from now on what the settings say. Error: it is running.
   void set_measures(const MeasureSettings& settings);
   /// Warns of an edit (UserWarning) if the measures have begun, and have not been warned of before.
   void warn_of_edit(const char* what);
-  /// Error: measures are on, which need the spheres as they are.
+  /// Error: measures are on, during which spheres cannot change.
   void check_spheres_may_change(const char* what) const;
   void restore_measures(std::string_view bytes, const std::string& where);
   std::string save_measures() const;
@@ -111,7 +112,7 @@ class PythonSimulation {
   /// Drops what may refer back to this.
   void drop_references();
 
-  /// Where a run ends that is given no limit [T].
+  /// The time at which a run without a limit ends [T].
   std::optional<double> until() const;
   void set_until(std::optional<double> until);
 

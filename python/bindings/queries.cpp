@@ -114,8 +114,7 @@ void bind_queries(SimulationClass& simulation) {
             }
             return self.simulation().clearance(vector_of(of, "point", is_flat(self)));
           },
-          py::arg("of"),
-          (std::string("Of a point, or of the sphere with this id. ") + doc::clearance).c_str());
+          py::arg("of"), (std::string("`of` is a point, or the id of a sphere. ") + doc::clearance).c_str());
 }
 
 }  // namespace hardball::python

@@ -170,14 +170,14 @@ void bind_contact(py::module_& module) {
           "point", [](const Contact& self) { return array_of(self.point()); }, doc::Contact_point)
       .def_property_readonly(
           "radii", [](const Contact& self) { return py::make_tuple(self.first_radius, self.second_radius); },
-          "Of both bodies, zero for a wall [L].")
+          "The radii of both bodies, zero for a wall [L].")
       .def_property_readonly(
           "masses", [](const Contact& self) { return py::make_tuple(self.first_mass, self.second_mass); },
-          "Of both bodies, infinite for a wall and a kinematic sphere [M].")
+          "The masses of both bodies, infinite for a wall and a kinematic sphere [M].")
       .def_property_readonly(
           "species",
           [](const Contact& self) { return py::make_tuple(self.first_species, self.second_species); },
-          "Of both bodies, zero for a wall.")
+          "The species of both bodies, zero for a wall.")
       .def_property_readonly(
           "before", [](const Contact& self) { return pair_of(self.before.first, self.before.second); },
           "The velocities of both bodies before the contact [L/T]; of a wall contact the second is the "
@@ -263,7 +263,8 @@ void bind_responses(py::module_& module) {
   py::class_<TabulatedRestitution>(module, "TabulatedRestitution", doc::TabulatedRestitution)
       .def(py::init(&tabulated), py::arg("speeds"), py::arg("values"),
            "`values` [1] at `speeds` [L/T], which increase.")
-      .def("at", &TabulatedRestitution::at, py::arg("speed"), "At an impact speed [L/T].")
+      .def("at", &TabulatedRestitution::at, py::arg("speed"),
+           "The coefficient of restitution at an impact speed [L/T].")
       .def("__repr__", [](const TabulatedRestitution& self) { return text_of(self); });
   py::class_<Bounce>(module, "Bounce", doc::Bounce)
       .def(py::init([](const py::object& restitution, double elastic_below, double contact_duration,
@@ -293,7 +294,7 @@ void bind_responses(py::module_& module) {
              return ResponseTable(rule_of(spheres), bounce_of(walls));
            }),
            py::arg("spheres") = 1.0, py::arg("walls") = 1.0,
-           "The same Bounce or Merging for all spheres, and the same Bounce for all at walls; a coefficient "
+           "Starts with one Bounce or Merging for all spheres, and one Bounce for all walls; a coefficient "
            "of restitution is a Bounce.")
       .def(
           "set",

@@ -131,13 +131,13 @@ void bind_arrays(SimulationClass& simulation) {
       [](const World& world, const Time& now) {
         return numbers_by_id<double>(world, [&](Slot slot) { return world.radius(slot, now); });
       },
-      "In the order of ids [L].");
+      "All radii, in the order of ids [L].");
   of_world(
       "masses",
       [](const World& world, const Time&) {
         return numbers_by_id<double>(world, [&](Slot slot) { return world.mass(slot); });
       },
-      "In the order of ids [M]; infinite for kinematic spheres.");
+      "All masses, in the order of ids [M]; infinite for kinematic spheres.");
   of_world(
       "moments",
       [](const World& world, const Time&) {
@@ -149,7 +149,7 @@ void bind_arrays(SimulationClass& simulation) {
       [](const World& world, const Time&) {
         return numbers_by_id<std::uint8_t>(world, [&](Slot slot) { return world.species(slot); });
       },
-      "In the order of ids.");
+      "All species, in the order of ids.");
   of_world(
       "ids",
       [](const World& world, const Time&) {
@@ -267,9 +267,9 @@ void bind_state(SimulationClass& simulation) {
             if (!growth) return std::nullopt;
             return std::string(name_of(growth->state()));
           },
-          "None without growth; \"growing\" while it goes on, or at its begin \"measuring\", how dense the "
-          "spheres are; why it has ended: \"reached\", the packing fraction, \"over_pressure\" or "
-          "\"no_room\".")
+          "None without growth; \"growing\" while spheres grow, \"measuring\" at first, while their density "
+          "is measured; or why "
+          "growth has ended: \"reached\" (the packing fraction), \"over_pressure\" or \"no_room\".")
       .def_property(
           "until", &PythonSimulation::until,
           [](PythonSimulation& self, const py::object& time) { self.set_until(time_or_none(time)); },

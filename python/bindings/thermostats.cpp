@@ -22,7 +22,7 @@ void bind_thermostats(py::module_& module) {
   py::class_<Andersen>(module, "Andersen", doc::Andersen)
       .def(py::init<double, double>(), py::arg("temperature"), py::arg("rate"), doc::Andersen_Andersen)
       .def_property_readonly("temperature", &Andersen::temperature, "k T [M L^2 T^-2].")
-      .def_property_readonly("rate", &Andersen::rate, "Of each sphere's events [1/T].")
+      .def_property_readonly("rate", &Andersen::rate, "The rate of each sphere's events [1/T].")
       .def("__repr__", [](const Andersen& self) {
         return CallText("Andersen").add("temperature", self.temperature()).add("rate", self.rate()).text();
       });

@@ -8,7 +8,7 @@
 
 namespace hardball::python {
 
-/// Error: the object is none of the classes of thermostats.
+/// Error: the object is not a thermostat.
 ThermostatKind thermostat_of(const pybind11::handle& object);
 
 }  // namespace hardball::python

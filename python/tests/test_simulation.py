@@ -267,7 +267,7 @@ class Files(unittest.TestCase):
             hardball.Simulation.from_ase(ase.Atoms("Ar", cell=[9, 9, 9], pbc=True))
         with self.assertRaisesRegex(hardball.Error, "not rectangular"):
             hardball.Simulation.from_ase(ase.Atoms("Ar", cell=[9, 9, 9, 90, 80, 90], pbc=True), radius=1)
-        # Of a cell that nothing repeats, the angles do not matter; nor do rounding errors.
+        # The angles of a cell that is not repeated do not matter; nor do rounding errors.
         for cell, pbc in (([9, 9, 9, 90, 80, 90], False), ([[9, 1e-16, 0], [0, 9, 0], [0, 1e-15, 9]], True)):
             simulation = hardball.Simulation.from_ase(ase.Atoms("Ar", cell=cell, pbc=pbc), radius=1)
             self.assertEqual(simulation.box.boundary[0], "periodic" if pbc else "open")
@@ -499,7 +499,7 @@ class Edits(unittest.TestCase):
             with warnings.catch_warnings():
                 warnings.simplefilter("error")
                 edit(other)
-        # Whoever copies, saves or looks ahead edits nothing.
+        # Copying, saving and looking ahead edit nothing.
         simulation = gas(response=stop_at_contact)
         simulation.measure("pressure")
         simulation.run(until=1)

@@ -50,7 +50,7 @@ def recorded(simulation, until=None, contacts=None):
 
 
 def history(simulation, **limits):
-    """The same of a run of a copy, with the numbers of walls as recordings have them."""
+    """The contacts of a run of a copy, with the numbers of walls as recordings have them."""
     events = simulation.__copy__().run(record=True, **limits)
     seconds = [int(e["second"]) if e["kind"] == 0 else -int(e["second"]) - 1 for e in events]
     return list(zip(events["time"].tolist(), events["first"].tolist(), seconds))

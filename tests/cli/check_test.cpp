@@ -168,7 +168,7 @@ TEST_F(WhatCheckExpects, WarnsOfSpheresThatNeverMeet) {
   const Arguments at_rest{"--set", "spheres.0.temperature=0.0"};
   expect(periodic, at_rest, "nothing moves" + never);
   expect(periodic, {at_rest[0], at_rest[1], "--set", "box.gravity=[0.0, 0.0, -1.0]"},
-         "all spheres fall alike, and nothing is in their way" + never);
+         "all spheres fall alike, and there is nothing for them to hit" + never);
   EXPECT_EQ(notes_of(output(gas("10", "8", "wall"),
                             {at_rest[0], at_rest[1], "--set", "box.gravity=[0.0, 0.0, -1.0]"})),
             "");

@@ -36,7 +36,7 @@ names = []
 
 
 def check_that_damage_is_told(chunks, name):
-    """Of a byte in each part, and what comes before is read; a chunk that is cut off is not damage."""
+    """A damaged byte in any part is reported, and what comes before is read; a chunk that is cut off is not damage."""
     whole = name.read_bytes()
     count = len(list(chunks(name)))
     damaged = name.with_name("damaged.hbr")

@@ -64,7 +64,7 @@ def volume_of(container, dimensions):
 
 
 def wall_distances(position, container, dimensions):
-    """Of a center from each wall, in as many digits as the context has."""
+    """Yields the distance of a center from each wall, in as many digits as the context has."""
     size = [Decimal(edge) for edge in container["size"]]
     if container["shape"] == "box":
         for axis in range(dimensions):

@@ -266,7 +266,7 @@ class Bounds : public testing::TestWithParam<Regime> {
     for (Slot other = 1; other < world.size(); ++other) {
       const Time contact = contact_time(world, 0, other, nearest_image(world, 0, other, made.now));
       // What lies in the past cannot be: it would have happened. After the end of an epoch there is no
-      // contact, but what would be one is bounded likewise.
+      // contact, but what would be one is bounded, too.
       if (contact >= made.now) contacts[other] = contact.high;
     }
     const double base = rounded_down(made.now);

@@ -23,7 +23,7 @@ namespace {
 // How precisely spheres touch at contacts.
 struct Gaps {
   std::uint64_t contacts = 0;
-  double sum = 0;  ///< Of |distance / reach - 1|.
+  double sum = 0;  ///< Sum of |distance / reach - 1|.
   double largest = 0;
   double blur_sum = 0;              ///< What the gaps would be if moments were rounded to one double.
   std::vector<double> since_start;  ///< [T]

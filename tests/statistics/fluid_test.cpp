@@ -19,7 +19,7 @@ namespace {
 struct State {
   support::Gas gas;
   double compressibility;  ///< The reference.
-  double tolerance;        ///< Of Z - 1 and of the collision rate, relative.
+  double tolerance;        ///< Relative tolerance of Z - 1 and of the collision rate.
   std::uint64_t collisions;
 };
 

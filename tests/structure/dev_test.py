@@ -25,8 +25,8 @@ TOOLS = {
 }
 
 
-def run(*arguments):
-    """The lines that ./dev prints."""
+def run(*arguments, **files):
+    """The lines that ./dev prints in a folder with these test files, where `unit__a` stands for tests/unit/a_test.cpp."""
     with tempfile.TemporaryDirectory() as folder:
         tools = Path(folder) / "tools"
         tools.mkdir()
@@ -34,6 +34,10 @@ def run(*arguments):
             tool = tools / name
             tool.write_text(f"#!/bin/sh\n{script}\n")
             tool.chmod(0o755)
+        for name, text in files.items():
+            path = Path(folder) / "tests" / f"{name.replace('__', '/')}_test.cpp"
+            path.parent.mkdir(parents=True)
+            path.write_text(text)
         dev = shutil.copy(PROJECT / "dev", folder)
         environment = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}"}
         done = subprocess.run([dev, *arguments], env=environment, capture_output=True, text=True)
@@ -58,6 +62,12 @@ class Dev(unittest.TestCase):
         self.assertLess(lines.index(place), lines.index(tests[0]))
         listed = (PROJECT / "python/CMakeLists.txt").read_text()
         self.assertIn("set_tests_properties(site PROPERTIES LABELS site ", listed)
+
+    def test_one_file_builds_the_tests_of_its_kind_and_runs_its_suites(self):
+        lines = run("test", "unit/world", unit__world="TEST(Faces, Are) {}\nTEST_F(Walls, Stand) {}\n#include <a>\nTEST(Faces, Do)")
+        self.assertIn("called: cmake --build --preset checked --target unit_tests", lines)
+        self.assertIn(r"--tests-regex ^unit\.(.*/)?(Faces|Walls)(/.*)?\.", lines[-1])
+        self.assertEqual(run("test", "unit/lost"), [])
 
 
 if __name__ == "__main__":

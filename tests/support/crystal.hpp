@@ -34,8 +34,8 @@ inline Lattice hexagonal_close_packing() {
           {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 5.0 / 6, 0.5}, {0, 1.0 / 3, 0.5}}};
 }
 
-/// This many cells along each axis in a periodic box, with spheres of diameter one at rest at `spacing` from
-/// their nearest neighbors.
+/// A crystal of `cells` unit cells along each axis in a periodic box, with spheres of diameter one at rest at
+/// `spacing` from their nearest neighbors.
 inline World make_crystal(const Lattice& lattice, std::size_t cells, double spacing) {
   const Vec3 edge = spacing * lattice.cell;
   World world(Box::periodic(static_cast<double>(cells) * edge));

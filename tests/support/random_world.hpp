@@ -108,7 +108,7 @@ class RandomWorldMaker {
     return chance(0.5) ? make_furnished() : make();
   }
 
-  /// The same whose discs respond in different ways.
+  /// A flat world whose discs respond in different ways.
   RandomWorld make_responsive_flat() {
     dimensions_ = 2;
     return make_responsive();
@@ -536,9 +536,9 @@ inline RandomWorld make_random_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make();
 }
 
-/// The same with gravity in any direction, planes at rest, in motion and oscillating, tubes, hollow spheres
-/// and obstacles, some of them with their own restitution or thermal, and faces of the box that are so, too,
-/// or slide.
+/// A random world with gravity in any direction; planes at rest, in motion and oscillating; tubes, hollow
+/// spheres and obstacles; and faces of the box. Some surfaces and faces are thermal, have their own
+/// restitution, or slide.
 inline RandomWorld make_furnished_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make_furnished();
 }

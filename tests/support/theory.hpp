@@ -67,7 +67,7 @@ class FixedEnergy {
  public:
   FixedEnergy(double energy, double degrees_of_freedom) : energy_(energy), freedom_(degrees_of_freedom) {}
 
-  /// Of n spheres at kT = 1 in a periodic box, of which the total momentum is zero.
+  /// The energy of n spheres at kT = 1 in a periodic box whose total momentum is zero.
   static FixedEnergy periodic(std::size_t spheres) {
     const auto n = static_cast<double>(spheres);
     return {1.5 * n, 3 * (n - 1)};

@@ -172,3 +172,4 @@ TEST(Planes, ThatNoSphereCanReachAreRefused) {
 
 }  // namespace
 }  // namespace hardball::faces_test
+// x

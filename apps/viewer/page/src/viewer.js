@@ -385,7 +385,7 @@ export class Viewer {
 
   updateCells(followed, window) {
     const { time } = this.playback;
-    // Which spheres are near changes slowly; their cells are exact all the same.
+    // Which spheres are near changes slowly; their cells are exact anyway.
     const isDue = !(Math.abs(time - this.cellsGathered) < (0.2 * this.reach) / this.scales.speed);
     if (isDue && (followed >= 0 || this.source.header.spheres <= kFew)) {
       this.cellLayer.gather(this.playback, followed, 0.7 * this.reach);

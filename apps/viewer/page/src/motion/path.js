@@ -63,7 +63,7 @@ export function piecesInBox(original, from, until, box, { most = 64, tolerance =
   const segments = [];
   const { gravity, period } = box;
   const path = Array.from(original.slice(0, 7));
-  // As seen from the layer of images of a sheared box that is so many boxes above.
+  // As seen from the layer of images of a sheared box that is `above` boxes above.
   const seeFrom = (above) => {
     path[0] = original[0] - above * box.displacement(original[6]);
     path[3] = original[3] - above * box.imageSpeed;

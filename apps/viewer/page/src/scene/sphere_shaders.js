@@ -18,7 +18,7 @@ const kMotion = /* glsl */ `
   uniform float scale;       // of all radii, by growth
   uniform vec3 gravity;
   uniform vec3 period;       // of the box, zero along axes that are not periodic
-  uniform vec3 inversePeriod; // likewise zero
+  uniform vec3 inversePeriod; // zero, too
   uniform vec2 slid;         // along x, the image above: by how much, and how fast
   uniform int colorBy;
   uniform vec2 colorRange;
