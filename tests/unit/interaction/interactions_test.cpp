@@ -11,6 +11,7 @@
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/interaction/step_potential.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::interactions_test {
 namespace {
@@ -103,12 +104,7 @@ TEST(ResponseTable, KnowsTheOneResponseOfAll) {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::string problem_of(const StepRules& rules) {
-  try {
-    static_cast<void>(StepPotential(rules));
-  } catch (const Error& error) {
-    return error.problem();
-  }
-  return "";
+  return support::problem_of([&] { static_cast<void>(StepPotential(rules)); });
 }
 
 TEST(StepPotential, HasLevelsFromTheOutsideIn) {

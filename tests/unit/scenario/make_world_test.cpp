@@ -16,6 +16,7 @@
 #include "hardball/world/audit.hpp"
 #include "hardball/world/walls.hpp"
 #include "support/interacting.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::make_world_test {
@@ -56,12 +57,7 @@ double temperature(const World& world, Slot begin, Slot end) {
 }
 
 std::string error_of(const Scenario& scenario) {
-  try {
-    make_world(scenario);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return support::refusal_of([&] { make_world(scenario); });
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -625,12 +621,7 @@ const std::string kDiscs = "[box]\ndimensions = 2\nboundary = [\"periodic\", \"w
 const std::string kSpheres = "[[spheres]]\nplacement = \"random\"\nspeed = 1\n";
 
 std::string error_of(const std::string& text) {
-  try {
-    parse_scenario(text, "gas.toml");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "none";
+  return support::refusal_of([&] { parse_scenario(text, "gas.toml"); });
 }
 
 void expect_refusal(const std::string& text, const std::string& problem, const std::string& remedy) {

@@ -13,6 +13,7 @@
 #include "hardball/interaction/passing.hpp"
 #include "hardball/world/world.hpp"
 #include "support/interacting.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::world_steps_test {
 namespace {
@@ -39,12 +40,7 @@ int level(const World& world, Slot a, Slot b) {
 }
 
 std::string error_of(World world) {
-  try {
-    world.assign_levels(Time(0));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return support::refusal_of([&] { world.assign_levels(Time(0)); });
 }
 
 TEST(Levels, FollowFromDistances) {
@@ -160,12 +156,7 @@ TEST(Steps, ReachIntoRegions) {
 TEST(Steps, ExcludeWhatTheyDoNotGoWith) {
   const StepRules well{.steps = {{1.5, -1}}};
   const auto refused = [](World world, const Interactions& interactions) -> std::string {
-    try {
-      world.set_interactions(interactions);
-    } catch (const Error& error) {
-      return error.problem();
-    }
-    return "";
+    return support::problem_of([&] { world.set_interactions(interactions); });
   };
   EXPECT_NE(refused(World(Box::open(), {0, 0, -1}), support::stepping(well)).find("gravity"),
             std::string::npos);
