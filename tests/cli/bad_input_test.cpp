@@ -21,6 +21,8 @@ using support::run_program;
 using support::ScratchFolder;
 using support::write_text;
 
+using Fragments = std::vector<std::string>;
+
 struct BadInput {
   std::string name;
   /// A line of the scenario of the small gas, and its replacement.
@@ -29,8 +31,57 @@ struct BadInput {
   /// In addition to `run gas.toml --out out`.
   Arguments arguments;
   /// What the message contains, in this order.
-  std::vector<std::string> fragments;
+  Fragments fragments;
 };
+
+const std::string kBox = "size = [10.0, 10.0, 10.0]\nboundary = [\"wall\", \"wall\", \"wall\"]";
+const std::string kFlatBox = "dimensions = 2\nsize = [10, 10]\nboundary = ['wall', 'wall']";
+
+BadInput replaced(const std::string& name, const std::string& line, const std::string& replacement,
+                  const Fragments& fragments) {
+  return {name, line, replacement, {}, fragments};
+}
+
+BadInput without(const std::string& name, const std::string& line, const Fragments& fragments) {
+  return replaced(name, line, "", fragments);
+}
+
+// Tables from line 11 on.
+BadInput bad_tables(const std::string& name, const std::string& tables, const Fragments& fragments) {
+  return replaced(name, "[run]", tables + "\n[run]", fragments);
+}
+
+// Keys of a table that begins in line 11: of [output], [[walls]] and so on.
+auto bad_keys_of(const std::string& table) {
+  return [table](const std::string& name, const std::string& keys, const Fragments& fragments) {
+    return bad_tables(name, table + "\n" + keys, fragments);
+  };
+}
+const auto bad_output = bad_keys_of("[output]");
+const auto bad_thermostat = bad_keys_of("[thermostat]");
+const auto bad_response = bad_keys_of("[response]");
+const auto bad_wall = bad_keys_of("[[walls]]");
+const auto bad_obstacle = bad_keys_of("[[obstacles]]");
+
+// Keys of spheres from line 10 on.
+BadInput bad_spheres(const std::string& name, const std::string& keys, const Fragments& fragments) {
+  return replaced(name, "mean_speed = 1.0", "mean_speed = 1.0\n" + keys, fragments);
+}
+
+// The radius of the small gas is in line 7, from column 10 on.
+BadInput bad_radius(const std::string& name, const std::string& radius, const Fragments& fragments) {
+  return replaced(name, "radius = 0.5", "radius = " + radius, fragments);
+}
+
+// In two dimensions; tables from line 5 on.
+BadInput bad_in_plane(const std::string& name, const std::string& tables, const Arguments& arguments,
+                      const Fragments& fragments) {
+  return {name, kBox, kFlatBox + tables, arguments, fragments};
+}
+
+BadInput bad_options(const std::string& name, const Arguments& options, const Fragments& fragments) {
+  return {name, "", "", options, fragments};
+}
 
 // How GoogleTest prints a failed case.
 void PrintTo(const BadInput& input, std::ostream* out) {
@@ -43,7 +94,7 @@ std::string scenario_of(const BadInput& input) {
   return text;
 }
 
-void expect_refusal(const Outcome& outcome, const std::vector<std::string>& fragments) {
+void expect_refusal(const Outcome& outcome, const Fragments& fragments) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
@@ -72,430 +123,209 @@ std::string name_of(const testing::TestParamInfo<BadInput>& test) {
 
 INSTANTIATE_TEST_SUITE_P(
     Syntax, RefusedInput,
-    testing::Values(
-        BadInput{"NoToml", "[run]", "[run", {}, {"gas.toml:11:5", "TOML", "toml.io"}},
-        BadInput{"OddBrackets", "[run]", "[.[run]]", {}, {"gas.toml:11:", "TOML", "toml.io"}},
-        BadInput{"KeyTwice", "seed = 1", "until = 2.0", {}, {"gas.toml:13:", "TOML"}},
-        BadInput{"TableTwice", "[run]", "[box]", {}, {"gas.toml:11:", "TOML"}},
-        BadInput{"OpenString", "\"random\"", "\"random", {}, {"gas.toml:8:", "TOML"}},
-        BadInput{"BareWord", "\"random\"", "random", {}, {"gas.toml:8:13", "TOML"}},
-        BadInput{"NumberTooLong", "count = 20", "count = 99999999999999999999", {}, {"gas.toml:6:", "TOML"}}),
+    testing::Values(replaced("NoToml", "[run]", "[run", {"gas.toml:11:5", "TOML", "toml.io"}),
+                    replaced("OddBrackets", "[run]", "[.[run]]", {"gas.toml:11:", "TOML", "toml.io"}),
+                    replaced("KeyTwice", "seed = 1", "until = 2.0", {"gas.toml:13:", "TOML"}),
+                    replaced("TableTwice", "[run]", "[box]", {"gas.toml:11:", "TOML"}),
+                    replaced("OpenString", "\"random\"", "\"random", {"gas.toml:8:", "TOML"}),
+                    replaced("BareWord", "\"random\"", "random", {"gas.toml:8:13", "TOML"}),
+                    replaced("NumberTooLong", "count = 20", "count = 99999999999999999999",
+                             {"gas.toml:6:", "TOML"})),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Keys, RefusedInput,
     testing::Values(
-        BadInput{"UnknownTable", "[run]", "[rum]", {}, {"gas.toml:11:2", "'rum'", "did you mean 'run'?"}},
-        BadInput{"UnknownKeyInBox", "size", "sise", {}, {"gas.toml:2:1", "'sise' in [box]", "'size'"}},
-        BadInput{"UnknownKeyInSpheres", "radius", "raduis", {}, {"gas.toml:7:1", "'raduis'", "'radius'"}},
-        BadInput{"UnknownKeyInRun", "seed", "sead", {}, {"gas.toml:13:1", "'sead' in [run]", "'seed'"}},
-        BadInput{"KeyOfAnotherTable",
-                 "seed = 1",
-                 "directory = 'x'",
-                 {},
-                 {"gas.toml:13:1", "'directory' in [run]"}},
-        BadInput{
-            "KeyOutsideTables", "[box]", "gravity = [0, 0, 0]\n[box]", {}, {"gas.toml:1:1", "'gravity'"}},
-        BadInput{"NoBox",
-                 "[box]\nsize = [10.0, 10.0, 10.0]\nboundary = [\"wall\", \"wall\", \"wall\"]",
-                 "",
-                 {},
-                 {"gas.toml: ", "[box] is missing", "add"}},
-        BadInput{"NoBoundary",
-                 "boundary = [\"wall\", \"wall\", \"wall\"]",
-                 "",
-                 {},
-                 {"gas.toml:1:1", "'boundary'"}},
-        BadInput{
-            "NoSize", "size = [10.0, 10.0, 10.0]", "", {}, {"gas.toml:1:1", "'size' is missing", "add it"}},
-        BadInput{"NoCount", "count = 20", "", {}, {"gas.toml:5:1", "'count' is missing", "count = 1000"}},
-        BadInput{"NoRadius", "radius = 0.5", "", {}, {"gas.toml:5:1", "'radius' is missing", "radius = 1.0"}},
-        BadInput{
-            "NoPlacement", "placement = \"random\"", "", {}, {"gas.toml:5:1", "'placement'", "\"random\""}},
-        BadInput{"NoVelocity", "mean_speed = 1.0", "", {}, {"gas.toml:5:1", "no velocities", "mean_speed"}},
-        BadInput{"TwoVelocities",
-                 "mean_speed = 1.0",
-                 "mean_speed = 1.0\nspeed = 2.0",
-                 {},
-                 {"gas.toml:10:9", "both mean_speed and speed", "keep one"}},
-        BadInput{"NoUntil", "until = 5.0", "", {}, {"gas.toml", "'until' is missing", "--until"}},
-        BadInput{"StartAndSpheres",
-                 "[run]",
-                 "[start]\nfile = 'x'\n[run]",
-                 {},
-                 {"gas.toml:11:1", "both", "remove"}},
-        BadInput{"PlacementAndPositions",
-                 "count = 20",
-                 "positions = [[5, 5, 5]]",
-                 {},
-                 {"gas.toml:8:13", "both placement and positions", "remove"}}),
+        replaced("UnknownTable", "[run]", "[rum]", {"gas.toml:11:2", "'rum'", "did you mean 'run'?"}),
+        replaced("UnknownKeyInBox", "size", "sise", {"gas.toml:2:1", "'sise' in [box]", "'size'"}),
+        replaced("UnknownKeyInSpheres", "radius", "raduis", {"gas.toml:7:1", "'raduis'", "'radius'"}),
+        replaced("UnknownKeyInRun", "seed", "sead", {"gas.toml:13:1", "'sead' in [run]", "'seed'"}),
+        replaced("KeyOfAnotherTable", "seed = 1", "directory = 'x'",
+                 {"gas.toml:13:1", "'directory' in [run]"}),
+        replaced("KeyOutsideTables", "[box]", "gravity = [0, 0, 0]\n[box]", {"gas.toml:1:1", "'gravity'"}),
+        without("NoBox", "[box]\n" + kBox, {"gas.toml: ", "[box] is missing", "add"}),
+        without("NoBoundary", "boundary = [\"wall\", \"wall\", \"wall\"]", {"gas.toml:1:1", "'boundary'"}),
+        without("NoSize", "size = [10.0, 10.0, 10.0]", {"gas.toml:1:1", "'size' is missing", "add it"}),
+        without("NoCount", "count = 20", {"gas.toml:5:1", "'count' is missing", "count = 1000"}),
+        without("NoRadius", "radius = 0.5", {"gas.toml:5:1", "'radius' is missing", "radius = 1.0"}),
+        without("NoPlacement", "placement = \"random\"", {"gas.toml:5:1", "'placement'", "\"random\""}),
+        without("NoVelocity", "mean_speed = 1.0", {"gas.toml:5:1", "no velocities", "mean_speed"}),
+        replaced("TwoVelocities", "mean_speed = 1.0", "mean_speed = 1.0\nspeed = 2.0",
+                 {"gas.toml:10:9", "both mean_speed and speed", "keep one"}),
+        without("NoUntil", "until = 5.0", {"gas.toml", "'until' is missing", "--until"}),
+        bad_tables("StartAndSpheres", "[start]\nfile = 'x'", {"gas.toml:11:1", "both", "remove"}),
+        replaced("PlacementAndPositions", "count = 20", "positions = [[5, 5, 5]]",
+                 {"gas.toml:8:13", "both placement and positions", "remove"})),
     name_of);
-
-const std::string kBox = "size = [10.0, 10.0, 10.0]\nboundary = [\"wall\", \"wall\", \"wall\"]";
-const std::string kFlatBox = "dimensions = 2\nsize = [10, 10]\nboundary = ['wall', 'wall']";
 
 INSTANTIATE_TEST_SUITE_P(
     TwoDimensions, RefusedInput,
     testing::Values(
-        BadInput{"FourDimensions", "[box]", "[box]\ndimensions = 4", {}, {"gas.toml:2:14", "at most 3"}},
-        BadInput{
-            "ThreeBoundaries", "[box]", "[box]\ndimensions = 2", {}, {"gas.toml:4:12", "3 entries", "two"}},
-        BadInput{"ThreeSizes",
-                 kBox,
-                 "dimensions = 2\nsize = [10, 10, 10]\nboundary = ['wall', 'wall']",
-                 {},
-                 {"gas.toml:3:8", "3 entries", "two numbers"}},
-        BadInput{"TwoNumbersInThreeDimensions", "[box]", "[box]\ngravity = [0, 1]", {}, {"three numbers"}},
-        BadInput{"CubicLattice",
-                 kBox,
-                 kFlatBox,
-                 {"--set", "spheres.0.placement=fcc"},
-                 {"fcc", "two dimensions", "hexagonal"}},
-        BadInput{"HexagonalInThreeDimensions",
-                 "\"random\"",
-                 "\"hexagonal\"",
-                 {},
-                 {"gas.toml:8:13", "three dimensions", "fcc"}},
-        BadInput{"GravityAcross",
-                 kBox,
-                 kFlatBox,
-                 {"--set", "box.gravity=[0, 0, 1]"},
-                 {"box.gravity", "gravity along z is 1", "two dimensions"}},
-        BadInput{"ObstacleAcross",
-                 kBox,
-                 kFlatBox + "\n[[obstacles]]\nradius = 1\nposition = [5, 5, 5]",
-                 {},
-                 {"gas.toml:5:1", "the position of the obstacle along z is 5", "two dimensions"}},
-        BadInput{"PlaneAcross",
-                 kBox,
-                 kFlatBox + "\n[[walls]]\nshape = 'plane'\npoint = [5, 5]\nnormal = [0, 1, 1]",
-                 {},
-                 {"gas.toml:5:1", "the normal of the plane along z", "two dimensions"}},
+        replaced("FourDimensions", "[box]", "[box]\ndimensions = 4", {"gas.toml:2:14", "at most 3"}),
+        replaced("ThreeBoundaries", "[box]", "[box]\ndimensions = 2", {"gas.toml:4:12", "3 entries", "two"}),
+        replaced("ThreeSizes", kBox, "dimensions = 2\nsize = [10, 10, 10]\nboundary = ['wall', 'wall']",
+                 {"gas.toml:3:8", "3 entries", "two numbers"}),
+        replaced("TwoNumbersInThreeDimensions", "[box]", "[box]\ngravity = [0, 1]", {"three numbers"}),
+        bad_in_plane("CubicLattice", "", {"--set", "spheres.0.placement=fcc"},
+                     {"fcc", "two dimensions", "hexagonal"}),
+        replaced("HexagonalInThreeDimensions", "\"random\"", "\"hexagonal\"",
+                 {"gas.toml:8:13", "three dimensions", "fcc"}),
+        bad_in_plane("GravityAcross", "", {"--set", "box.gravity=[0, 0, 1]"},
+                     {"box.gravity", "gravity along z is 1", "two dimensions"}),
+        bad_in_plane("ObstacleAcross", "\n[[obstacles]]\nradius = 1\nposition = [5, 5, 5]", {},
+                     {"gas.toml:5:1", "the position of the obstacle along z is 5", "two dimensions"}),
+        bad_in_plane("PlaneAcross", "\n[[walls]]\nshape = 'plane'\npoint = [5, 5]\nnormal = [0, 1, 1]", {},
+                     {"gas.toml:5:1", "the normal of the plane along z", "two dimensions"}),
         BadInput{"PlaneInAPeriodicBox",
                  kBox,
                  kFlatBox.substr(0, kFlatBox.find("['wall")) +
                      "['periodic', 'wall']\n[[walls]]\nshape = 'plane'\npoint = [5, 5]\nnormal = [1, 0]",
                  {},
                  {"gas.toml:5:1", "the plane is not periodic along x", "parallel"}},
-        BadInput{"TooDense",
-                 kBox,
-                 kFlatBox,
-                 {"--set", "spheres.0.count=76", "--set", "spheres.0.radius=0.6"},
-                 {"0.86", "hexagonal", "0.9"}}),
+        bad_in_plane("TooDense", "", {"--set", "spheres.0.count=76", "--set", "spheres.0.radius=0.6"},
+                     {"0.86", "hexagonal", "0.9"})),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Thermostats, RefusedInput,
-    testing::Values(BadInput{"ThermostatWithoutKind",
-                             "[run]",
-                             "[thermostat]\nrate = 1\n[run]",
-                             {},
-                             {"gas.toml:11:1", "'kind' is missing"}},
-                    BadInput{"UnknownThermostat",
-                             "[run]",
-                             "[thermostat]\nkind = 'anderson'\n[run]",
-                             {},
-                             {"gas.toml:12:8", "\"anderson\"", "\"andersen\""}},
-                    BadInput{"RateOfRescale",
-                             "[run]",
-                             "[thermostat]\nkind = 'rescale'\ntemperature = 1\nrate = 1\n[run]",
-                             {},
-                             {"gas.toml:14:1", "'rate' does not go with kind"}},
-                    BadInput{"AndersenWithoutTemperature",
-                             "[run]",
-                             "[thermostat]\nkind = 'andersen'\nrate = 1\n[run]",
-                             {},
-                             {"gas.toml:11:1", "'temperature' is missing"}},
-                    BadInput{"AndersenWithoutRate",
-                             "[run]",
-                             "[thermostat]\nkind = 'andersen'\ntemperature = 1\n[run]",
-                             {},
-                             {"gas.toml:11:1", "'rate' is missing"}},
-                    BadInput{"RescaleWithoutEvery",
-                             "[run]",
-                             "[thermostat]\nkind = 'rescale'\ntemperature = 1\n[run]",
-                             {},
-                             {"gas.toml:11:1", "'every' is missing"}},
-                    BadInput{"HeatingWithoutStrength",
-                             "[run]",
-                             "[thermostat]\nkind = 'heating'\nevery = 1\n[run]",
-                             {},
-                             {"gas.toml:11:1", "'strength' is missing"}},
-                    BadInput{"RateZero",
-                             "[run]",
-                             "[thermostat]\nkind = 'andersen'\ntemperature = 1\nrate = 0\n[run]",
-                             {},
-                             {"gas.toml:14:8", "rate", "0", "positive"}},
-                    BadInput{"TemperatureNegative",
-                             "[run]",
-                             "[thermostat]\nkind = 'rescale'\ntemperature = -1\nevery = 1\n[run]",
-                             {},
-                             {"gas.toml:13:15", "temperature", "-1", "positive"}},
-                    BadInput{"StrengthNoNumber",
-                             "[run]",
-                             "[thermostat]\nkind = 'heating'\nstrength = true\nevery = 1\n[run]",
-                             {},
-                             {"gas.toml:13:12", "strength"}},
-                    BadInput{"EveryZero",
-                             "[run]",
-                             "[thermostat]\nkind = 'heating'\nstrength = 1\nevery = 0\n[run]",
-                             {},
-                             {"gas.toml:14:9", "every", "0", "positive"}}),
+    testing::Values(bad_thermostat("ThermostatWithoutKind", "rate = 1",
+                                   {"gas.toml:11:1", "'kind' is missing"}),
+                    bad_thermostat("UnknownThermostat", "kind = 'anderson'",
+                                   {"gas.toml:12:8", "\"anderson\"", "\"andersen\""}),
+                    bad_thermostat("RateOfRescale", "kind = 'rescale'\ntemperature = 1\nrate = 1",
+                                   {"gas.toml:14:1", "'rate' does not go with kind"}),
+                    bad_thermostat("AndersenWithoutTemperature", "kind = 'andersen'\nrate = 1",
+                                   {"gas.toml:11:1", "'temperature' is missing"}),
+                    bad_thermostat("AndersenWithoutRate", "kind = 'andersen'\ntemperature = 1",
+                                   {"gas.toml:11:1", "'rate' is missing"}),
+                    bad_thermostat("RescaleWithoutEvery", "kind = 'rescale'\ntemperature = 1",
+                                   {"gas.toml:11:1", "'every' is missing"}),
+                    bad_thermostat("HeatingWithoutStrength", "kind = 'heating'\nevery = 1",
+                                   {"gas.toml:11:1", "'strength' is missing"}),
+                    bad_thermostat("RateZero", "kind = 'andersen'\ntemperature = 1\nrate = 0",
+                                   {"gas.toml:14:8", "rate", "0", "positive"}),
+                    bad_thermostat("TemperatureNegative", "kind = 'rescale'\ntemperature = -1\nevery = 1",
+                                   {"gas.toml:13:15", "temperature", "-1", "positive"}),
+                    bad_thermostat("StrengthNoNumber", "kind = 'heating'\nstrength = true\nevery = 1",
+                                   {"gas.toml:13:12", "strength"}),
+                    bad_thermostat("EveryZero", "kind = 'heating'\nstrength = 1\nevery = 0",
+                                   {"gas.toml:14:9", "every", "0", "positive"})),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Types, RefusedInput,
     testing::Values(
-        BadInput{"BoxIsANumber",
-                 "[box]\nsize = [10.0, 10.0, 10.0]\nboundary = [\"wall\", \"wall\", \"wall\"]",
-                 "box = 3",
-                 {},
-                 {"gas.toml:1:7", "'box' is an integer", "[box]"}},
-        BadInput{
-            "SpheresIsATable", "[[spheres]]", "[spheres]", {}, {"gas.toml:5:1", "a table", "[[spheres]]"}},
-        BadInput{"RadiusIsAString",
-                 "radius = 0.5",
-                 "radius = \"0.5\"",
-                 {},
-                 {"gas.toml:7:10", "a string", "number"}},
-        BadInput{"CountIsAFraction", "count = 20", "count = 20.5", {}, {"gas.toml:6:9", "20.5", "integer"}},
-        BadInput{
-            "CountIsTrue", "count = 20", "count = true", {}, {"gas.toml:6:9", "true or false", "integer"}},
-        BadInput{
-            "SizeIsANumber", "[10.0, 10.0, 10.0]", "10.0", {}, {"gas.toml:2:8", "a number", "three numbers"}},
-        BadInput{
-            "SizeHasTwo", "[10.0, 10.0, 10.0]", "[10.0, 10.0]", {}, {"gas.toml:2:8", "2 entries", "three"}},
-        BadInput{
-            "SizeHasAString", "[10.0, 10.0, 10.0]", "[10.0, 'x', 10.0]", {}, {"gas.toml:2:15", "a string"}},
-        BadInput{"BoundaryIsAString",
-                 "[\"wall\", \"wall\", \"wall\"]",
-                 "\"wall\"",
-                 {},
-                 {"gas.toml:3:12", "a string"}},
-        BadInput{"BoundaryHasOne",
-                 "[\"wall\", \"wall\", \"wall\"]",
-                 "[\"wall\"]",
-                 {},
-                 {"gas.toml:3:12", "1 entry"}},
-        BadInput{
-            "PlacementIsANumber", "\"random\"", "1", {}, {"gas.toml:8:13", "an integer", "double quotes"}},
-        BadInput{"EventLogIsANumber",
-                 "[run]",
-                 "[output]\nevent_log = 1\n[run]",
-                 {},
-                 {"gas.toml:12:13", "an integer", "true or false"}},
-        BadInput{
-            "UntilIsADate", "until = 5.0", "until = 1997-06-04", {}, {"gas.toml:12:9", "a date", "number"}},
-        BadInput{"PositionHasTwo",
-                 "placement = \"random\"",
-                 "positions = [[1, 2]]",
-                 {},
-                 {"gas.toml:8:14", "2 entries"}}),
+        replaced("BoxIsANumber", "[box]\n" + kBox, "box = 3",
+                 {"gas.toml:1:7", "'box' is an integer", "[box]"}),
+        replaced("SpheresIsATable", "[[spheres]]", "[spheres]", {"gas.toml:5:1", "a table", "[[spheres]]"}),
+        replaced("RadiusIsAString", "radius = 0.5", "radius = \"0.5\"",
+                 {"gas.toml:7:10", "a string", "number"}),
+        replaced("CountIsAFraction", "count = 20", "count = 20.5", {"gas.toml:6:9", "20.5", "integer"}),
+        replaced("CountIsTrue", "count = 20", "count = true", {"gas.toml:6:9", "true or false", "integer"}),
+        replaced("SizeIsANumber", "[10.0, 10.0, 10.0]", "10.0",
+                 {"gas.toml:2:8", "a number", "three numbers"}),
+        replaced("SizeHasTwo", "[10.0, 10.0, 10.0]", "[10.0, 10.0]", {"gas.toml:2:8", "2 entries", "three"}),
+        replaced("SizeHasAString", "[10.0, 10.0, 10.0]", "[10.0, 'x', 10.0]", {"gas.toml:2:15", "a string"}),
+        replaced("BoundaryIsAString", "[\"wall\", \"wall\", \"wall\"]", "\"wall\"",
+                 {"gas.toml:3:12", "a string"}),
+        replaced("BoundaryHasOne", "[\"wall\", \"wall\", \"wall\"]", "[\"wall\"]",
+                 {"gas.toml:3:12", "1 entry"}),
+        replaced("PlacementIsANumber", "\"random\"", "1", {"gas.toml:8:13", "an integer", "double quotes"}),
+        bad_output("EventLogIsANumber", "event_log = 1", {"gas.toml:12:13", "an integer", "true or false"}),
+        replaced("UntilIsADate", "until = 5.0", "until = 1997-06-04", {"gas.toml:12:9", "a date", "number"}),
+        replaced("PositionHasTwo", "placement = \"random\"", "positions = [[1, 2]]",
+                 {"gas.toml:8:14", "2 entries"})),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Values, RefusedInput,
     testing::Values(
-        BadInput{"BoundaryMisspelt",
-                 "[\"wall\", \"wall\"",
-                 "[\"wall\", \"perodic\"",
-                 {},
-                 {"gas.toml:3:21", "\"perodic\"", "did you mean \"periodic\"?"}},
-        BadInput{"PlacementMisspelt", "\"random\"", "\"fc\"", {}, {"gas.toml:8:13", "\"fc\"", "\"fcc\"?"}},
-        BadInput{"SizeIsZero",
-                 "[10.0, 10.0, 10.0]",
-                 "[10.0, 0.0, 10.0]",
-                 {},
-                 {"gas.toml:2:15", "size is 0", "positive"}},
-        BadInput{"SizeIsNegative",
-                 "[10.0, 10.0, 10.0]",
-                 "[-10.0, 10.0, 10.0]",
-                 {},
-                 {"gas.toml:2:9", "size is -10"}},
-        BadInput{
-            "SizeIsInfinite", "[10.0, 10.0, 10.0]", "[inf, 10.0, 10.0]", {}, {"gas.toml:2:9", "size is inf"}},
-        BadInput{"CountIsZero", "count = 20", "count = 0", {}, {"gas.toml:6:9", "count is 0", "at least 1"}},
-        BadInput{
-            "CountIsNegative", "count = 20", "count = -1", {}, {"gas.toml:6:9", "count is -1", "at least 1"}},
-        BadInput{
-            "CountIsHuge", "count = 20", "count = 4294967295", {}, {"gas.toml:6:9", "at most 4294967294"}},
-        BadInput{
-            "RadiusIsZero", "radius = 0.5", "radius = 0", {}, {"gas.toml:7:10", "radius is 0", "positive"}},
-        BadInput{"RadiusIsNegative", "radius = 0.5", "radius = -1", {}, {"gas.toml:7:10", "radius is -1"}},
-        BadInput{"RadiusIsNaN",
-                 "radius = 0.5",
-                 "radius = nan",
-                 {},
-                 {"gas.toml:7:10", "radius is nan", "positive"}},
-        BadInput{"RadiusIsTiny", "radius = 0.5", "radius = 1e-61", {}, {"gas.toml:7:10", "radius is 1e-61"}},
-        BadInput{"MassIsZero",
-                 "mean_speed",
-                 "mass = 0\nmean_speed",
-                 {},
-                 {"gas.toml:9:8", "mass is 0", "positive"}},
-        BadInput{
-            "MassIsInfinite", "mean_speed", "mass = inf\nmean_speed", {}, {"gas.toml:9:8", "mass is inf"}},
-        BadInput{"SpeedIsNegative",
-                 "mean_speed = 1.0",
-                 "mean_speed = -1.0",
-                 {},
-                 {"gas.toml:9:14", "mean_speed is -1"}},
-        BadInput{
-            "SpeedIsNaN", "mean_speed = 1.0", "speed = nan", {}, {"gas.toml:9:9", "speed is nan", "finite"}},
-        BadInput{
-            "TemperatureIsInfinite", "mean_speed = 1.0", "temperature = inf", {}, {"gas.toml:9:15", "inf"}},
-        BadInput{"RestitutionAboveOne",
-                 "[run]",
-                 "[response]\nrestitution = 1.5\n[run]",
-                 {},
-                 {"gas.toml:12:15", "restitution is 1.5", "between 0 and 1"}},
-        BadInput{"RestitutionIsNaN",
-                 "[run]",
-                 "[response]\nrestitution = nan\n[run]",
-                 {},
-                 {"gas.toml:12:15", "nan"}},
-        BadInput{"GravityIsInfinite",
-                 "[[spheres]]",
-                 "gravity = [0.0, 0.0, -inf]\n[[spheres]]",
-                 {},
-                 {"gas.toml:5:22", "gravity is -inf", "finite"}},
-        BadInput{"GravityIsTiny",
-                 "[[spheres]]",
-                 "gravity = [0.0, 0.0, 1e-61]\n[[spheres]]",
-                 {},
-                 {"gas.toml:5:11", "the magnitude of gravity is 1e-61", "between"}},
-        BadInput{"GravityWhoseSquareIsZero",
-                 "[[spheres]]",
-                 "gravity = [0.0, 0.0, -1e-300]\n[[spheres]]",
-                 {},
-                 {"gas.toml:5:11", "the magnitude of gravity is 1e-300", "between"}},
-        BadInput{"ElasticBelowIsNegative",
-                 "[run]",
-                 "[response]\nelastic_below = -1\n[run]",
-                 {},
-                 {"gas.toml:12:17", "elastic_below is -1", "zero or a positive"}},
-        BadInput{"UntilIsNegative",
-                 "until = 5.0",
-                 "until = -5.0",
-                 {},
-                 {"gas.toml:12:9", "until is -5", "positive"}},
-        BadInput{
-            "UntilIsInfinite", "until = 5.0", "until = inf", {}, {"gas.toml:12:9", "until is inf", "finite"}},
-        BadInput{
-            "SeedIsNegative", "seed = 1", "seed = -1", {}, {"gas.toml:13:8", "seed is -1", "at least 0"}},
-        BadInput{"SnapshotsEveryZero",
-                 "[run]",
-                 "[output]\nsnapshots_every = 0.0\n[run]",
-                 {},
-                 {"gas.toml:12:19", "snapshots_every is 0", "positive"}},
-        BadInput{"TwoSchedules",
-                 "[run]",
-                 "[output]\nsnapshots_every = 1\nsnapshots_every_contacts = 5\n[run]",
-                 {},
-                 {"gas.toml:13:28", "both snapshots_every and snapshots_every_contacts", "remove one"}},
-        BadInput{"LinearAndLogarithmic",
-                 "[run]",
-                 "[output]\nsnapshots_every = 1\nsnapshots_per_decade = 5\n[run]",
-                 {},
-                 {"gas.toml:13:24", "both snapshots_every and snapshots_per_decade", "remove one"}},
-        BadInput{"LogarithmicByContacts",
-                 "[run]",
-                 "[output]\nsnapshots_every_contacts = 1\nsnapshots_per_decade = 5\n[run]",
-                 {},
-                 {"gas.toml:12:28", "both snapshots_per_decade and snapshots_every_contacts", "remove one"}},
-        BadInput{"LogarithmicWithoutFirst",
-                 "[run]",
-                 "[output]\nsnapshots_per_decade = 5\n[run]",
-                 {},
-                 {"gas.toml:", "'first_snapshot' is missing", "add"}},
-        BadInput{"FirstSnapshotAlone",
-                 "[run]",
-                 "[output]\nsnapshots_every = 1\nfirst_snapshot = 0.1\n[run]",
-                 {},
-                 {"gas.toml:13:18", "first_snapshot is given without snapshots_per_decade", "add"}},
-        BadInput{"NoContactsBetweenSnapshots",
-                 "[run]",
-                 "[output]\nsnapshots_every_contacts = 0\n[run]",
-                 {},
-                 {"gas.toml:12:28", "snapshots_every_contacts is 0", "at least 1"}},
-        BadInput{"TrajectoryWithoutSnapshots",
-                 "[run]",
-                 "[output]\ntrajectory = 'gsd'\n[run]",
-                 {},
-                 {"gas.toml:12:14", "no snapshots are taken", "add snapshots_every"}},
-        BadInput{"UnknownTrajectory",
-                 "[run]",
-                 "[output]\nsnapshots_every = 1\ntrajectory = 'gds'\n[run]",
-                 {},
-                 {"gas.toml:13:14", "trajectory is \"gds\"", "\"gsd\""}},
-        BadInput{"NoTrajectory",
-                 "[run]",
-                 "[output]\nsnapshots_every = 1\ntrajectory = []\n[run]",
-                 {},
-                 {"gas.toml:13:14", "trajectory has 0 entries", "at least one"}},
-        BadInput{"TrajectoryTwice",
-                 "[run]",
-                 "[output]\nsnapshots_every = 1\ntrajectory = ['gsd', 'xyz', 'gsd']\n[run]",
-                 {},
-                 {"gas.toml:13:29", "trajectory has \"gsd\" twice", "remove one"}},
-        BadInput{
-            "EmptyDirectory", "[run]", "[output]\ndirectory = ''\n[run]", {}, {"gas.toml:12:13", "is empty"}},
-        BadInput{
-            "SphereTooLarge", "radius = 0.5", "radius = 6", {}, {"gas.toml:5:1", "diameter 12", "enlarge"}},
-        BadInput{"TooManySpheres",
-                 "count = 20",
-                 "count = 100000",
-                 {},
-                 {"gas.toml:5:1", "packing fraction", "enlarge"}},
-        BadInput{"TooDenseForRandom",
-                 "count = 20",
-                 "count = 1200",
-                 {},
-                 {"gas.toml:5:1", "packing fraction", "fcc", "0.74"}},
-        BadInput{"TooDenseForFcc",
-                 "count = 20\nradius = 0.5\nplacement = \"random\"",
+        replaced("BoundaryMisspelt", "[\"wall\", \"wall\"", "[\"wall\", \"perodic\"",
+                 {"gas.toml:3:21", "\"perodic\"", "did you mean \"periodic\"?"}),
+        replaced("PlacementMisspelt", "\"random\"", "\"fc\"", {"gas.toml:8:13", "\"fc\"", "\"fcc\"?"}),
+        replaced("SizeIsZero", "[10.0, 10.0, 10.0]", "[10.0, 0.0, 10.0]",
+                 {"gas.toml:2:15", "size is 0", "positive"}),
+        replaced("SizeIsNegative", "[10.0, 10.0, 10.0]", "[-10.0, 10.0, 10.0]",
+                 {"gas.toml:2:9", "size is -10"}),
+        replaced("SizeIsInfinite", "[10.0, 10.0, 10.0]", "[inf, 10.0, 10.0]",
+                 {"gas.toml:2:9", "size is inf"}),
+        replaced("CountIsZero", "count = 20", "count = 0", {"gas.toml:6:9", "count is 0", "at least 1"}),
+        replaced("CountIsNegative", "count = 20", "count = -1",
+                 {"gas.toml:6:9", "count is -1", "at least 1"}),
+        replaced("CountIsHuge", "count = 20", "count = 4294967295", {"gas.toml:6:9", "at most 4294967294"}),
+        replaced("RadiusIsZero", "radius = 0.5", "radius = 0", {"gas.toml:7:10", "radius is 0", "positive"}),
+        replaced("RadiusIsNegative", "radius = 0.5", "radius = -1", {"gas.toml:7:10", "radius is -1"}),
+        replaced("RadiusIsNaN", "radius = 0.5", "radius = nan",
+                 {"gas.toml:7:10", "radius is nan", "positive"}),
+        replaced("RadiusIsTiny", "radius = 0.5", "radius = 1e-61", {"gas.toml:7:10", "radius is 1e-61"}),
+        replaced("MassIsZero", "mean_speed", "mass = 0\nmean_speed",
+                 {"gas.toml:9:8", "mass is 0", "positive"}),
+        replaced("MassIsInfinite", "mean_speed", "mass = inf\nmean_speed", {"gas.toml:9:8", "mass is inf"}),
+        replaced("SpeedIsNegative", "mean_speed = 1.0", "mean_speed = -1.0",
+                 {"gas.toml:9:14", "mean_speed is -1"}),
+        replaced("SpeedIsNaN", "mean_speed = 1.0", "speed = nan", {"gas.toml:9:9", "speed is nan", "finite"}),
+        replaced("TemperatureIsInfinite", "mean_speed = 1.0", "temperature = inf", {"gas.toml:9:15", "inf"}),
+        bad_response("RestitutionAboveOne", "restitution = 1.5",
+                     {"gas.toml:12:15", "restitution is 1.5", "between 0 and 1"}),
+        bad_response("RestitutionIsNaN", "restitution = nan", {"gas.toml:12:15", "nan"}),
+        replaced("GravityIsInfinite", "[[spheres]]", "gravity = [0.0, 0.0, -inf]\n[[spheres]]",
+                 {"gas.toml:5:22", "gravity is -inf", "finite"}),
+        replaced("GravityIsTiny", "[[spheres]]", "gravity = [0.0, 0.0, 1e-61]\n[[spheres]]",
+                 {"gas.toml:5:11", "the magnitude of gravity is 1e-61", "between"}),
+        replaced("GravityWhoseSquareIsZero", "[[spheres]]", "gravity = [0.0, 0.0, -1e-300]\n[[spheres]]",
+                 {"gas.toml:5:11", "the magnitude of gravity is 1e-300", "between"}),
+        bad_response("ElasticBelowIsNegative", "elastic_below = -1",
+                     {"gas.toml:12:17", "elastic_below is -1", "zero or a positive"}),
+        replaced("UntilIsNegative", "until = 5.0", "until = -5.0",
+                 {"gas.toml:12:9", "until is -5", "positive"}),
+        replaced("UntilIsInfinite", "until = 5.0", "until = inf",
+                 {"gas.toml:12:9", "until is inf", "finite"}),
+        replaced("SeedIsNegative", "seed = 1", "seed = -1", {"gas.toml:13:8", "seed is -1", "at least 0"}),
+        bad_output("SnapshotsEveryZero", "snapshots_every = 0.0",
+                   {"gas.toml:12:19", "snapshots_every is 0", "positive"}),
+        bad_output("TwoSchedules", "snapshots_every = 1\nsnapshots_every_contacts = 5",
+                   {"gas.toml:13:28", "both snapshots_every and snapshots_every_contacts", "remove one"}),
+        bad_output("LinearAndLogarithmic", "snapshots_every = 1\nsnapshots_per_decade = 5",
+                   {"gas.toml:13:24", "both snapshots_every and snapshots_per_decade", "remove one"}),
+        bad_output("LogarithmicByContacts", "snapshots_every_contacts = 1\nsnapshots_per_decade = 5",
+                   {"gas.toml:12:28", "both snapshots_per_decade and snapshots_every_contacts",
+                    "remove one"}),
+        bad_output("LogarithmicWithoutFirst", "snapshots_per_decade = 5",
+                   {"gas.toml:", "'first_snapshot' is missing", "add"}),
+        bad_output("FirstSnapshotAlone", "snapshots_every = 1\nfirst_snapshot = 0.1",
+                   {"gas.toml:13:18", "first_snapshot is given without snapshots_per_decade", "add"}),
+        bad_output("NoContactsBetweenSnapshots", "snapshots_every_contacts = 0",
+                   {"gas.toml:12:28", "snapshots_every_contacts is 0", "at least 1"}),
+        bad_output("TrajectoryWithoutSnapshots", "trajectory = 'gsd'",
+                   {"gas.toml:12:14", "no snapshots are taken", "add snapshots_every"}),
+        bad_output("UnknownTrajectory", "snapshots_every = 1\ntrajectory = 'gds'",
+                   {"gas.toml:13:14", "trajectory is \"gds\"", "\"gsd\""}),
+        bad_output("NoTrajectory", "snapshots_every = 1\ntrajectory = []",
+                   {"gas.toml:13:14", "trajectory has 0 entries", "at least one"}),
+        bad_output("TrajectoryTwice", "snapshots_every = 1\ntrajectory = ['gsd', 'xyz', 'gsd']",
+                   {"gas.toml:13:29", "trajectory has \"gsd\" twice", "remove one"}),
+        bad_output("EmptyDirectory", "directory = ''", {"gas.toml:12:13", "is empty"}),
+        replaced("SphereTooLarge", "radius = 0.5", "radius = 6", {"gas.toml:5:1", "diameter 12", "enlarge"}),
+        replaced("TooManySpheres", "count = 20", "count = 100000",
+                 {"gas.toml:5:1", "packing fraction", "enlarge"}),
+        replaced("TooDenseForRandom", "count = 20", "count = 1200",
+                 {"gas.toml:5:1", "packing fraction", "fcc", "0.74"}),
+        replaced("TooDenseForFcc", "count = 20\nradius = 0.5\nplacement = \"random\"",
                  "count = 1400\nradius = 0.5\nplacement = \"fcc\"",
-                 {},
-                 {"gas.toml:5:1", "radius can be at most"}},
-        BadInput{"FccOfTwoRadii",
-                 "placement = \"random\"\nmean_speed = 1.0",
+                 {"gas.toml:5:1", "radius can be at most"}),
+        replaced("FccOfTwoRadii", "placement = \"random\"\nmean_speed = 1.0",
                  "placement = \"fcc\"\nspeed = 1\n[[spheres]]\ncount = 3\nradius = 1\nplacement = "
                  "\"fcc\"\nspeed = 1",
-                 {},
-                 {"gas.toml:10:1", "one radius", "\"random\""}},
-        BadInput{"ListsDisagree",
-                 "placement = \"random\"",
-                 "positions = [[5, 5, 5]]",
-                 {},
-                 {"gas.toml:8:13", "1 entry", "20 spheres"}},
-        BadInput{"InTheWall",
-                 "count = 20\nradius = 0.5\nplacement = \"random\"",
+                 {"gas.toml:10:1", "one radius", "\"random\""}),
+        replaced("ListsDisagree", "placement = \"random\"", "positions = [[5, 5, 5]]",
+                 {"gas.toml:8:13", "1 entry", "20 spheres"}),
+        replaced("InTheWall", "count = 20\nradius = 0.5\nplacement = \"random\"",
                  "radius = 0.5\npositions = [[0.4, 5, 5]]",
-                 {},
-                 {"gas.toml:5:1: sphere 0", "through a wall", "0.5"}},
-        BadInput{"Overlap",
-                 "count = 20\nradius = 0.5\nplacement = \"random\"",
+                 {"gas.toml:5:1: sphere 0", "through a wall", "0.5"}),
+        replaced("Overlap", "count = 20\nradius = 0.5\nplacement = \"random\"",
                  "radius = 0.5\npositions = [[5, 5, 5], [5, 5, 5.9]]",
-                 {},
-                 {"gas.toml", "0 and 1 overlap", "apart"}}),
+                 {"gas.toml", "0 and 1 overlap", "apart"})),
     name_of);
-
-// Tables from line 11 on.
-BadInput bad_tables(const std::string& name, const std::string& tables,
-                    const std::vector<std::string>& fragments) {
-  return {name, "[run]", tables + "\n[run]", {}, fragments};
-}
-
-BadInput bad_response(const std::string& name, const std::string& keys,
-                      const std::vector<std::string>& fragments) {
-  return bad_tables(name, "[response]\n" + keys, fragments);
-}
-
-// Keys of spheres from line 10 on.
-BadInput bad_spheres(const std::string& name, const std::string& keys,
-                     const std::vector<std::string>& fragments) {
-  return {name, "mean_speed = 1.0", "mean_speed = 1.0\n" + keys, {}, fragments};
-}
 
 const std::string kSpecies = "[[species]]\nname = 'steel'\n";
 const std::string kPair = kSpecies + "[[response.pairs]]\n";
@@ -569,24 +399,13 @@ INSTANTIATE_TEST_SUITE_P(
                  {"gas.toml:6:1", "does not fall", "remove gravity"}}),
     name_of);
 
-// The keys of the wall begin in line 12.
-BadInput bad_wall(const std::string& name, const std::string& keys,
-                  const std::vector<std::string>& fragments) {
-  return {name, "[run]", "[[walls]]\n" + keys + "\n[run]", {}, fragments};
-}
-
-BadInput bad_obstacle(const std::string& name, const std::string& keys,
-                      const std::vector<std::string>& fragments) {
-  return {name, "[run]", "[[obstacles]]\n" + keys + "\n[run]", {}, fragments};
-}
-
 const std::string kPlane = "shape = 'plane'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n";
 const std::string kBall = "shape = 'sphere'\npoint = [5, 5, 5]\nradius = 4\n";
 
 INSTANTIATE_TEST_SUITE_P(
     Walls, RefusedInput,
     testing::Values(
-        BadInput{"WallsIsATable", "[run]", "[walls]\n[run]", {}, {"gas.toml:11:1", "a table", "[[walls]]"}},
+        bad_tables("WallsIsATable", "[walls]", {"gas.toml:11:1", "a table", "[[walls]]"}),
         bad_wall("NoShape", "point = [0, 0, 0]",
                  {"gas.toml:11:1", "'shape' is missing in [[walls]]", "plane"}),
         bad_wall("ShapeMisspelt", "shape = 'plan'", {"gas.toml:12:9", "\"plan\"", "\"plane\"?"}),
@@ -638,12 +457,6 @@ INSTANTIATE_TEST_SUITE_P(
                      {"gas.toml:15:15", "both restitution and temperature"})),
     name_of);
 
-// The radius of the small gas is in line 7, from column 10 on.
-BadInput bad_radius(const std::string& name, const std::string& radius,
-                    const std::vector<std::string>& fragments) {
-  return {name, "radius = 0.5", "radius = " + radius, {}, fragments};
-}
-
 INSTANTIATE_TEST_SUITE_P(
     Radii, RefusedInput,
     testing::Values(
@@ -668,96 +481,56 @@ INSTANTIATE_TEST_SUITE_P(
                    {"gas.toml:7:65", "weights has 1 entry", "as many"}),
         bad_radius("NoSuchFile", "{distribution = 'file', file = 'missing.txt'}",
                    {"gas.toml:7:10", "missing.txt cannot be read"}),
-        BadInput{"DensityIsZero",
-                 "mean_speed",
-                 "mass = {density = 0}\nmean_speed",
-                 {},
-                 {"gas.toml:9:19", "density is 0", "positive"}},
-        BadInput{"MassOfNothing",
-                 "mean_speed",
-                 "mass = {}\nmean_speed",
-                 {},
-                 {"gas.toml:9:8", "'density' is missing in mass", "density = 2.0"}},
-        BadInput{"FccOfDistributedRadii",
-                 "radius = 0.5\nplacement = \"random\"",
+        replaced("DensityIsZero", "mean_speed", "mass = {density = 0}\nmean_speed",
+                 {"gas.toml:9:19", "density is 0", "positive"}),
+        replaced("MassOfNothing", "mean_speed", "mass = {}\nmean_speed",
+                 {"gas.toml:9:8", "'density' is missing in mass", "density = 2.0"}),
+        replaced("FccOfDistributedRadii", "radius = 0.5\nplacement = \"random\"",
                  "radius = {distribution = 'uniform', min = 0.1, max = 0.2}\nplacement = \"fcc\"",
-                 {},
-                 {"gas.toml:5:1", "one radius", "\"random\""}}),
+                 {"gas.toml:5:1", "one radius", "\"random\""})),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Options, RefusedInput,
     testing::Values(
-        BadInput{"UnknownOption", "", "", {"--untill", "5"}, {"'--untill'", "did you mean '--until'?"}},
-        BadInput{"UnknownOptionWithValue", "", "", {"--sead=5"}, {"'--sead'", "did you mean '--seed'?"}},
-        BadInput{"SecondScenario", "", "", {"other.toml"}, {"'other.toml'", "run --help"}},
-        BadInput{"UntilIsNegative", "", "", {"--until", "-1"}, {"--until: ", "-1", "later"}},
-        BadInput{"UntilIsNaN", "", "", {"--until", "nan"}, {"--until: ", "nan", "finite"}},
-        BadInput{"UntilIsAWord", "", "", {"--until", "soon"}, {"--until: ", "'soon'", "give a time"}},
-        BadInput{"UntilHasNoValue", "", "", {"--until"}, {"--until", "--help"}},
-        BadInput{"SeedIsNegative", "", "", {"--seed", "-1"}, {"--seed: ", "'-1'", "integer"}},
-        BadInput{"SeedTooLarge", "", "", {"--seed", "18446744073709551616"}, {"--seed: ", "integer"}},
-        BadInput{"NoSuchEngine",
-                 "",
-                 "",
-                 {"--engine", "oracle"},
-                 {"--engine: ", "'oracle'", "auto, cells, neighbors, all-pairs, paper"}},
-        BadInput{"NoSuchInstructions",
-                 "",
-                 "",
-                 {"--instructions", "mmx"},
-                 {"--instructions: ", "'mmx'", "auto, portable, avx2, avx512"}},
-        BadInput{"ThreadsAreZero", "", "", {"--threads", "0"}, {"--threads: ", "'0'", "auto or a positive"}},
-        BadInput{
-            "ThreadsAreAWord", "", "", {"--threads", "all"}, {"--threads: ", "'all'", "auto or a positive"}},
-        BadInput{"ThreadsOfMergingSpheres",
-                 "",
-                 "",
-                 {"--threads", "2", "--set", "response.kind='merge'"},
-                 {"--threads: ", "merge", "one thread"}},
-        BadInput{"CellEdgeIsZero", "", "", {"--cell-edge", "0"}, {"--cell-edge: ", "0", "positive"}},
-        BadInput{"CellEdgeIsTiny", "", "", {"--cell-edge", "0.001"}, {"--cell-edge: ", "cells", "at least"}},
-        BadInput{"CellEdgeOfThePaper",
-                 "",
-                 "",
-                 {"--cell-edge", "0.5", "--engine", "paper"},
-                 {"--cell-edge: ", "diameter", "at least 1"}},
-        BadInput{
-            "CellEdgeIsAWord", "", "", {"--cell-edge", "large"}, {"--cell-edge: ", "'large'", "auto, paper"}},
-        BadInput{"UnitCostIsUnknown",
-                 "",
-                 "",
-                 {"--unit-costs", "contact=1,enter=1,cell=1,guess=1"},
-                 {"--unit-costs: ", "'guess=1'", "contact=", "prediction="}},
-        BadInput{"UnitCostIsMissing",
-                 "",
-                 "",
-                 {"--unit-costs", "contact=1,enter=1,cell=1"},
-                 {"--unit-costs: ", "all", "contact=", "prediction="}},
-        BadInput{"UnitCostIsNegative",
-                 "",
-                 "",
-                 {"--unit-costs", "contact=1,enter=-1,cell=1,prediction=1"},
-                 {"--unit-costs: ", "'enter=-1'", "negative"}},
-        BadInput{"UnitCostIsNoNumber",
-                 "",
-                 "",
-                 {"--unit-costs", "contact=1,enter=x,cell=1,prediction=1"},
-                 {"--unit-costs: ", "'x'"}},
-        BadInput{"PredictionsCostNothing",
-                 "",
-                 "",
-                 {"--unit-costs", "contact=1,enter=1,cell=1,prediction=0"},
-                 {"--unit-costs: ", "nothing"}},
-        BadInput{"JsonTakesNoValue", "", "", {"--json=yes"}, {"json", "--help"}},
-        BadInput{"SetHasNoEquals", "", "", {"--set", "run.until"}, {"--set: ", "run.until=5"}},
-        BadInput{"SetIsUnknown", "", "", {"--set", "run.untill=5"}, {"--set run.untill: ", "'until'"}},
-        BadInput{"SetHasWrongType",
-                 "",
-                 "",
-                 {"--set", "spheres.0.count=many"},
-                 {"--set spheres.0.count: ", "integer"}},
-        BadInput{"SetHasTwoLines", "", "", {"--set", "run.until=5\nseed=2"}, {"--set run.until: ", "TOML"}}),
+        bad_options("UnknownOption", {"--untill", "5"}, {"'--untill'", "did you mean '--until'?"}),
+        bad_options("UnknownOptionWithValue", {"--sead=5"}, {"'--sead'", "did you mean '--seed'?"}),
+        bad_options("SecondScenario", {"other.toml"}, {"'other.toml'", "run --help"}),
+        bad_options("UntilIsNegative", {"--until", "-1"}, {"--until: ", "-1", "later"}),
+        bad_options("UntilIsNaN", {"--until", "nan"}, {"--until: ", "nan", "finite"}),
+        bad_options("UntilIsAWord", {"--until", "soon"}, {"--until: ", "'soon'", "give a time"}),
+        bad_options("UntilHasNoValue", {"--until"}, {"--until", "--help"}),
+        bad_options("SeedIsNegative", {"--seed", "-1"}, {"--seed: ", "'-1'", "integer"}),
+        bad_options("SeedTooLarge", {"--seed", "18446744073709551616"}, {"--seed: ", "integer"}),
+        bad_options("NoSuchEngine", {"--engine", "oracle"},
+                    {"--engine: ", "'oracle'", "auto, cells, neighbors, all-pairs, paper"}),
+        bad_options("NoSuchInstructions", {"--instructions", "mmx"},
+                    {"--instructions: ", "'mmx'", "auto, portable, avx2, avx512"}),
+        bad_options("ThreadsAreZero", {"--threads", "0"}, {"--threads: ", "'0'", "auto or a positive"}),
+        bad_options("ThreadsAreAWord", {"--threads", "all"}, {"--threads: ", "'all'", "auto or a positive"}),
+        bad_options("ThreadsOfMergingSpheres", {"--threads", "2", "--set", "response.kind='merge'"},
+                    {"--threads: ", "merge", "one thread"}),
+        bad_options("CellEdgeIsZero", {"--cell-edge", "0"}, {"--cell-edge: ", "0", "positive"}),
+        bad_options("CellEdgeIsTiny", {"--cell-edge", "0.001"}, {"--cell-edge: ", "cells", "at least"}),
+        bad_options("CellEdgeOfThePaper", {"--cell-edge", "0.5", "--engine", "paper"},
+                    {"--cell-edge: ", "diameter", "at least 1"}),
+        bad_options("CellEdgeIsAWord", {"--cell-edge", "large"}, {"--cell-edge: ", "'large'", "auto, paper"}),
+        bad_options("UnitCostIsUnknown", {"--unit-costs", "contact=1,enter=1,cell=1,guess=1"},
+                    {"--unit-costs: ", "'guess=1'", "contact=", "prediction="}),
+        bad_options("UnitCostIsMissing", {"--unit-costs", "contact=1,enter=1,cell=1"},
+                    {"--unit-costs: ", "all", "contact=", "prediction="}),
+        bad_options("UnitCostIsNegative", {"--unit-costs", "contact=1,enter=-1,cell=1,prediction=1"},
+                    {"--unit-costs: ", "'enter=-1'", "negative"}),
+        bad_options("UnitCostIsNoNumber", {"--unit-costs", "contact=1,enter=x,cell=1,prediction=1"},
+                    {"--unit-costs: ", "'x'"}),
+        bad_options("PredictionsCostNothing", {"--unit-costs", "contact=1,enter=1,cell=1,prediction=0"},
+                    {"--unit-costs: ", "nothing"}),
+        bad_options("JsonTakesNoValue", {"--json=yes"}, {"json", "--help"}),
+        bad_options("SetHasNoEquals", {"--set", "run.until"}, {"--set: ", "run.until=5"}),
+        bad_options("SetIsUnknown", {"--set", "run.untill=5"}, {"--set run.untill: ", "'until'"}),
+        bad_options("SetHasWrongType", {"--set", "spheres.0.count=many"},
+                    {"--set spheres.0.count: ", "integer"}),
+        bad_options("SetHasTwoLines", {"--set", "run.until=5\nseed=2"}, {"--set run.until: ", "TOML"})),
     name_of);
 
 TEST(RefusedCommand, IsExplainedInOneLine) {

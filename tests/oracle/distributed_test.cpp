@@ -21,6 +21,7 @@
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 #include "support/random_world.hpp"
+#include "support/refusal.hpp"
 #include "support/thread_processes.hpp"
 
 namespace hardball::distributed_test {
@@ -39,13 +40,6 @@ const std::vector<Setting>& settings() {
                                         {2, {.domains = 3, .threads = 2, .halo = 1.3, .window = 2}},
                                         {5, {.domains = 2, .halo = 2, .window = 0.02}}};
   return all;
-}
-
-RandomWorld any_world(std::uint64_t seed) {
-  constexpr std::array kMakers = {support::make_random_world, support::make_furnished_world,
-                                  support::make_flat_world, support::make_responsive_world,
-                                  support::make_responsive_flat_world};
-  return kMakers[seed % kMakers.size()](seed);
 }
 
 // The spheres of all blocks.
@@ -96,7 +90,7 @@ constexpr std::uint64_t kParts = 4;
 
 TEST_P(Distributed, HasTheHistoryOfAllPairs) {
   for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = any_world(seed);
+    const RandomWorld made = support::any_world(seed);
     if (made.world.interactions().may_merge() || made.world.interactions().function()) continue;
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 3)};
@@ -318,12 +312,7 @@ TEST(DistributedGas, RefusesWhatProcessesCannotShare) {
     EXPECT_THROW(start(processes, gas, {.engine = EngineKind::all_pairs}), Error);
     merging.set_interactions(ResponseTable(Merging(), Bounce()));
     const auto problem_of = [&](const World& world) {
-      try {
-        static_cast<void>(start(processes, world));
-      } catch (const Error& error) {
-        return error.problem();
-      }
-      return std::string("none");
+      return support::problem_of([&] { static_cast<void>(start(processes, world)); });
     };
     EXPECT_EQ(problem_of(merging), "processes cannot share spheres that merge");
     const World stepping =

@@ -23,19 +23,12 @@ using support::RandomWorld;
 constexpr std::uint64_t kWorlds = 240;
 constexpr std::uint64_t kParts = 4;
 
-RandomWorld any_world(std::uint64_t seed) {
-  constexpr std::array kMakers = {support::make_random_world, support::make_furnished_world,
-                                  support::make_flat_world, support::make_responsive_world,
-                                  support::make_responsive_flat_world};
-  return kMakers[seed % kMakers.size()](seed);
-}
-
 class Domains : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(Domains, HaveTheHistoryOfAllPairs) {
   std::uint64_t contacts = 0;
   for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = any_world(seed);
+    const RandomWorld made = support::any_world(seed);
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 3)};
     Simulation reference(made.world, {.engine = EngineKind::all_pairs});

@@ -30,21 +30,6 @@ constexpr std::uint64_t kParts = 4;
 constexpr std::uint64_t kMaxContacts = 300;
 constexpr std::uint64_t kMaxSteps = 20000;
 
-RandomWorld any_world(std::uint64_t seed) {
-  switch (seed % 5) {
-    case 0:
-      return support::make_random_world(seed);
-    case 1:
-      return support::make_furnished_world(seed);
-    case 2:
-      return support::make_responsive_world(seed);
-    case 3:
-      return support::make_flat_world(seed);
-    default:
-      return support::make_responsive_flat_world(seed);
-  }
-}
-
 std::optional<Thermostat> any_thermostat(const RandomWorld& made, std::uint64_t seed) {
   const double speed = 10 * made.world.largest_radius() / made.until;
   if (seed / 5 % 2 == 0 || !(speed > 0)) return std::nullopt;
@@ -116,7 +101,7 @@ TEST_P(Saved, GoesOnToTheSameHistoryAndMeasures) {
   std::uint64_t saves = 0;
   std::uint64_t contacts = 0;
   for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = any_world(seed);
+    const RandomWorld made = support::any_world(seed);
     if (made.world.size() == 0) continue;
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = kMaxContacts, .steps = kMaxSteps};

@@ -12,7 +12,6 @@
 
 #include "hardball/geometry/exit_time.hpp"
 #include "hardball/numbers/random.hpp"
-#include "hardball/world/images.hpp"
 #include "hardball/world/step_levels.hpp"
 #include "hardball/world/totals.hpp"
 #include "support/effort.hpp"
@@ -24,6 +23,7 @@ namespace hardball::steps_test {
 namespace {
 
 using Long = boost::multiprecision::cpp_bin_float_100;
+using support::EngineVariant;
 using support::History;
 using support::RandomWorld;
 
@@ -104,15 +104,11 @@ TEST(ExitTime, BeyondReachIsNowWhenReceding) {
 constexpr std::uint64_t kWorlds = 3000;
 constexpr std::uint64_t kParts = 6;
 
-struct Outcome {
-  History history;
-  double energy = 0;
-  std::size_t pairs = 0;
-};
-
-Outcome outcome_of(const Simulation& simulation, History history) {
-  return {std::move(history), energy(simulation.world(), simulation.now()),
-          simulation.world().pair_levels().size()};
+// With the energy and the number of pairs within steps.
+History with_steps(const Simulation& simulation, History history) {
+  history.more = {energy(simulation.world(), simulation.now()),
+                  static_cast<double>(simulation.world().pair_levels().size())};
+  return history;
 }
 
 // The levels of all pairs are what the distances say, but for rounding.
@@ -150,45 +146,29 @@ TEST_P(StepsAgree, OnRandomWorlds) {
     SCOPED_TRACE(made.name);
     Random random(seed);
     const RunLimits limits{.until = Time(2 * made.until), .contacts = 100 + 100 * (seed % 5)};
-    std::optional<Outcome> expected;
-    const std::vector<support::EngineVariant> variants = support::engine_variants(made.world);
-    for (const support::EngineVariant& variant : variants) {
-      SCOPED_TRACE(variant.name);
-      try {
-        Simulation simulation(made.world, variant.options);
-        const double before = energy(simulation.world(), simulation.now());
-        const bool is_split = expected && &variant == &variants[1 + seed % (variants.size() - 1)];
-        Outcome outcome;
-        if (is_split) {
-          const History history = support::run_in_pieces(simulation, limits, random);
-          outcome = outcome_of(simulation, history);
-        } else {
-          if (!expected) {
-            simulation.on_contact([&](const Contact& contact) {
-              if (contact.step.happens()) ++(contact.step.passes ? passed : refused);
-            });
-          }
-          outcome = outcome_of(simulation, support::run_on(simulation, limits));
-          if (outcome.history.failure.empty()) simulation.validate();
-          ASSERT_NO_FATAL_FAILURE(expect_levels(simulation));
-          const std::optional<Restitution> response = made.world.interactions().table().one_for_all();
-          if (response && response->coefficient() == 1 && made.world.surfaces().empty() &&
-              made.world.box().has_plain_faces()) {
-            const double scale = kinetic_energy(made.world, Time(0)) + std::fabs(before);
-            EXPECT_NEAR(outcome.energy, before, 1e-12 * scale);
-          }
-        }
-        if (!expected) expected = outcome;
-        ASSERT_EQ(support::difference(expected->history, outcome.history), "");
-        ASSERT_EQ(expected->pairs, outcome.pairs);
-        ASSERT_TRUE(support::same_bits(expected->energy, outcome.energy));
-      } catch (const Error& error) {
-        ASSERT_EQ(error.where(), "cell edge") << error.what();
-      } catch (const BrokenInvariant& error) {
-        FAIL() << error.what();
+    const std::vector<EngineVariant> variants = support::engine_variants(made.world);
+    const auto run = [&](Simulation& simulation, const EngineVariant& variant, bool is_first) {
+      const double before = energy(simulation.world(), simulation.now());
+      if (is_first) {
+        simulation.on_contact([&](const Contact& contact) {
+          if (contact.step.happens()) ++(contact.step.passes ? passed : refused);
+        });
+      } else if (&variant == &variants[1 + seed % (variants.size() - 1)]) {
+        return with_steps(simulation, support::run_in_pieces(simulation, limits, random));
       }
-    }
-    contacts += expected->history.contacts;
+      const History history = with_steps(simulation, support::validated_run(simulation, limits));
+      expect_levels(simulation);
+      const std::optional<Restitution> response = made.world.interactions().table().one_for_all();
+      if (response && response->coefficient() == 1 && made.world.surfaces().empty() &&
+          made.world.box().has_plain_faces()) {
+        const double scale = kinetic_energy(made.world, Time(0)) + std::fabs(before);
+        EXPECT_NEAR(history.more.front(), before, 1e-12 * scale);
+      }
+      return history;
+    };
+    const std::optional<History> expected = support::one_history(made.world, variants, run, true);
+    if (!expected) return;
+    contacts += expected->contacts;
   }
   EXPECT_GT(contacts, 50 * support::cases(kWorlds) / kParts);
   EXPECT_GT(passed, 10 * support::cases(kWorlds) / kParts);
@@ -202,45 +182,34 @@ TEST_P(StepsAgree, WhileSpheresComeAndGo) {
   for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds / 4); seed += kParts) {
     const RandomWorld made = support::make_stepped_world(seed + 50000);
     SCOPED_TRACE(made.name);
-    std::optional<Outcome> expected;
-    for (const support::EngineVariant& variant : support::engine_variants(made.world)) {
-      SCOPED_TRACE(variant.name);
-      try {
-        Simulation simulation(made.world, variant.options);
-        std::uint64_t contacts = 0;
-        simulation.on_contact([&](const Contact& contact) {
-          ++contacts;
-          if (contacts % 7 == 0) simulation.change_velocity(contact.first, -1.5 * contact.after.first);
-          if (contacts % 11 == 0 && contact.is_collision() && simulation.size() > 3) {
-            simulation.remove(contact.second);
-            removed += expected ? 0U : 1U;
+    const auto run = [&](Simulation& simulation, const EngineVariant&, bool is_first) {
+      std::uint64_t contacts = 0;
+      simulation.on_contact([&](const Contact& contact) {
+        ++contacts;
+        if (contacts % 7 == 0) simulation.change_velocity(contact.first, -1.5 * contact.after.first);
+        if (contacts % 11 == 0 && contact.is_collision() && simulation.size() > 3) {
+          simulation.remove(contact.second);
+          removed += is_first ? 1U : 0U;
+        }
+        if (contacts % 5 == 0) {
+          const Vec3 apart = simulation.position(contact.first) - contact.position;
+          const double radius = 0.3 * contact.first_radius;
+          Vec3 beside = contact.position - 1.35 * contact.first_radius * contact.normal() + apart;
+          if (made.world.box().is_flat()) beside.z = 0;
+          try {
+            simulation.add({.position = beside, .velocity = contact.before.first, .radius = radius});
+            added += is_first ? 1U : 0U;
+          } catch (const Error&) {
+            // There is no room.
           }
-          if (contacts % 5 == 0) {
-            const Vec3 apart = simulation.position(contact.first) - contact.position;
-            const double radius = 0.3 * contact.first_radius;
-            Vec3 beside = contact.position - 1.35 * contact.first_radius * contact.normal() + apart;
-            if (made.world.box().is_flat()) beside.z = 0;
-            try {
-              simulation.add({.position = beside, .velocity = contact.before.first, .radius = radius});
-              added += expected ? 0U : 1U;
-            } catch (const Error&) {
-              // There is no room.
-            }
-          }
-        });
-        const RunLimits limits{.until = Time(made.until), .contacts = 150};
-        Outcome outcome = outcome_of(simulation, support::run_on(simulation, limits));
-        if (outcome.history.failure.empty()) simulation.validate();
-        ASSERT_NO_FATAL_FAILURE(expect_levels(simulation));
-        if (!expected) expected = outcome;
-        ASSERT_EQ(support::difference(expected->history, outcome.history), "");
-        ASSERT_EQ(expected->pairs, outcome.pairs);
-      } catch (const Error& error) {
-        ASSERT_EQ(error.where(), "cell edge") << error.what();
-      } catch (const BrokenInvariant& error) {
-        FAIL() << error.what();
-      }
-    }
+        }
+      });
+      const RunLimits limits{.until = Time(made.until), .contacts = 150};
+      const History history = with_steps(simulation, support::validated_run(simulation, limits));
+      expect_levels(simulation);
+      return history;
+    };
+    if (!support::one_history(made.world, support::engine_variants(made.world), run, true)) return;
   }
   EXPECT_GT(removed, support::cases(kWorlds / 4) / kParts);
   EXPECT_GT(added, support::cases(kWorlds / 4) / kParts);

@@ -15,9 +15,12 @@
 #include "hardball/world/walls.hpp"
 #include "support/crystal.hpp"
 #include "support/gas.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::growth_test {
 namespace {
+
+using support::refusal_of;
 
 // Two spheres approach each other with u = -1 while the sum of their radii grows with 1/2: they part with
 // u' = 2 * 1/2 + 1 = 2.
@@ -147,38 +150,30 @@ TEST(GrowingSpheres, EndWhereOnlyOneFits) {
 
 TEST(GrowingSpheres, AreRefusedWhereTheyCannotBe) {
   const World gas = support::make_gas({.count = 50, .packing_fraction = 0.2});
-  const auto message_of = [](const auto& act) -> std::string {
-    try {
-      act();
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
-  };
   const auto refusal = [&](World world) {
-    return message_of([&] { world.set_growth({Time(0), Time(1), 1, 0.1}); });
+    return refusal_of([&] { world.set_growth({Time(0), Time(1), 1, 0.1}); });
   };
   World falling(Box::open(), {0, 0, -1});
   EXPECT_NE(refusal(falling).find("gravity"), std::string::npos);
   Simulation simulation(gas);
-  EXPECT_NE(message_of([&] { simulation.grow({.rate = 0}); }).find("rate"), std::string::npos);
-  EXPECT_NE(message_of([&] { simulation.grow({.until_packing_fraction = 0.1}); }).find("0.1"),
+  EXPECT_NE(refusal_of([&] { simulation.grow({.rate = 0}); }).find("rate"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { simulation.grow({.until_packing_fraction = 0.1}); }).find("0.1"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { simulation.grow({.rate = -0.1}); }).find("packing_fraction"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { simulation.grow({.rate = -0.1}); }).find("packing_fraction"), std::string::npos);
   World at_rest(Box::periodic({5, 5, 5}));
   at_rest.add({.position = {1, 1, 1}, .radius = 0.5});
   Simulation resting(at_rest);
-  EXPECT_NE(message_of([&] { resting.grow({}); }).find("rest"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { resting.grow({}); }).find("rest"), std::string::npos);
   World mixed(Box::periodic({5, 5, 5}));
   mixed.add({.position = {1, 1, 1}, .radius = 0.5, .mass = std::numeric_limits<double>::infinity()});
   EXPECT_NE(refusal(mixed).find("kinematic"), std::string::npos);
   simulation.grow({.rate = 0.1, .until_packing_fraction = 0.3});
-  EXPECT_NE(message_of([&] {
+  EXPECT_NE(refusal_of([&] {
               simulation.add({.position = {1, 1, 1}, .radius = 0.01});
             }).find("grow"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { simulation.remove(3); }).find("grow"), std::string::npos);
-  EXPECT_NE(message_of([&] { static_cast<void>(simulation.positions_at(1e6)); }).find("epoch"),
+  EXPECT_NE(refusal_of([&] { simulation.remove(3); }).find("grow"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { static_cast<void>(simulation.positions_at(1e6)); }).find("epoch"),
             std::string::npos);
   for (const bool merges : {true, false}) {
     simulation.respond_with([merges](const Contact& contact) {
@@ -187,10 +182,10 @@ TEST(GrowingSpheres, AreRefusedWhereTheyCannotBe) {
       if (!merges) outcome.spins.first = {0, 0, 1};
       return outcome;
     });
-    EXPECT_NE(message_of([&] { simulation.run_contacts(1); }).find(merges ? "merge" : "spin"),
+    EXPECT_NE(refusal_of([&] { simulation.run_contacts(1); }).find(merges ? "merge" : "spin"),
               std::string::npos);
   }
-  EXPECT_NE(message_of([&] {
+  EXPECT_NE(refusal_of([&] {
               static_cast<void>(simulation.ray({1, 1, 1}, {1, 0, 0}, 1));
             }).find("grow"),
             std::string::npos);

@@ -34,14 +34,23 @@ inline Lattice hexagonal_close_packing() {
           {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 5.0 / 6, 0.5}, {0, 1.0 / 3, 0.5}}};
 }
 
-/// A crystal of `cells` unit cells along each axis in a periodic box, with spheres of diameter one at rest at
-/// `spacing` from their nearest neighbors.
+inline Lattice square_of_discs() {
+  return {{1, 1, 0}, {{0, 0, 0}}};
+}
+inline Lattice hexagonal_of_discs() {
+  return {{1, std::sqrt(3), 0}, {{0, 0, 0}, {0.5, 0.5, 0}}};
+}
+
+/// This many cells along each axis in a periodic box, flat if the cells are, with spheres of diameter one at
+/// rest at `spacing` from their nearest neighbors.
 inline World make_crystal(const Lattice& lattice, std::size_t cells, double spacing) {
   const Vec3 edge = spacing * lattice.cell;
-  World world(Box::periodic(static_cast<double>(cells) * edge));
+  const Vec3 size = static_cast<double>(cells) * edge;
+  const bool is_flat = edge.z == 0;
+  World world(is_flat ? Box::flat_periodic(size.x, size.y) : Box::periodic(size));
   for (std::size_t x = 0; x < cells; ++x) {
     for (std::size_t y = 0; y < cells; ++y) {
-      for (std::size_t z = 0; z < cells; ++z) {
+      for (std::size_t z = 0; z < (is_flat ? 1 : cells); ++z) {
         for (const Vec3& site : lattice.basis) {
           const Vec3 place =
               site + Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};

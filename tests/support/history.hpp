@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hardball/broadphase/neighbor_list.hpp"
@@ -84,6 +88,8 @@ struct History {
   std::vector<Path> paths;
   std::vector<Vec3> spins;
   std::vector<double> radii;
+  /// Whatever else must be the same.
+  std::vector<double> more = {};
 };
 
 /// Runs to the limits, or to an inelastic collapse.
@@ -127,7 +133,52 @@ inline std::string difference(const History& a, const History& b) {
                       same_bits(a.radii[i], b.radii[i]);
     if (!same) return "the paths of sphere " + to_text(i);
   }
+  if (a.more.size() != b.more.size()) return "numbers of other results";
+  for (std::size_t i = 0; i < a.more.size(); ++i) {
+    if (!same_bits(a.more[i], b.more[i]))
+      return "result " + to_text(i) + ": " + to_text(a.more[i]) + " and " + to_text(b.more[i]);
+  }
   return "";
+}
+
+/// Runs to the limits; if it reaches them, the engine must be sound.
+inline History validated_run(Simulation& simulation, const RunLimits& limits) {
+  History history = run_on(simulation, limits);
+  if (history.failure.empty()) simulation.validate();
+  return history;
+}
+
+/// The history of a world, in which all ways to run it must agree: run(simulation, variant, is_first) returns
+/// that by one of them. Only where that is allowed may cells be refused as too small. Nothing after a
+/// failure.
+template <class Run>
+std::optional<History> one_history(const World& world, const std::vector<EngineVariant>& variants, Run&& run,
+                                   bool may_refuse_cells = false) {
+  std::optional<History> expected;
+  for (const EngineVariant& variant : variants) {
+    SCOPED_TRACE(variant.name);
+    try {
+      Simulation simulation(world, variant.options);
+      const History history = run(simulation, variant, !expected);
+      if (!expected) expected = history;
+      EXPECT_EQ(difference(*expected, history), "");
+    } catch (const Error& error) {
+      EXPECT_TRUE(may_refuse_cells && error.where() == "cell edge") << error.what();
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what();
+    }
+    if (testing::Test::HasFailure()) return std::nullopt;
+  }
+  return expected;
+}
+
+/// The history up to the limits.
+inline std::optional<History> one_history(const World& world, const std::vector<EngineVariant>& variants,
+                                          const RunLimits& limits, bool may_refuse_cells = false) {
+  const auto run = [&](Simulation& simulation, const EngineVariant&, bool) {
+    return validated_run(simulation, limits);
+  };
+  return one_history(world, variants, run, may_refuse_cells);
 }
 
 /// The log of a run.

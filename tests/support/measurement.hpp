@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "hardball/measure/measurement.hpp"
+#include "hardball/world/world.hpp"
 
 namespace hardball::support {
 
@@ -29,6 +31,19 @@ inline const Column& column(const Measurement& found, const std::string& name) {
     if (column.name == name) return column;
   }
   throw std::out_of_range("no column " + name);
+}
+
+/// The values in the column of this name.
+inline const std::vector<double>& values(const Measurement& found, const std::string& name) {
+  return column(found, name).values;
+}
+
+/// The result of a measure that samples a world once, at time zero.
+template <class Measure, class... Settings>
+Measurement measured(const World& world, const Settings&... settings) {
+  Measure measure({world, Time(0)}, settings...);
+  measure.sample({world, Time(0)});
+  return measure.result({world, Time(0)});
 }
 
 }  // namespace hardball::support

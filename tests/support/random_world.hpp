@@ -563,6 +563,13 @@ inline RandomWorld make_responsive_flat_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make_responsive_flat();
 }
 
+/// A world of any kind.
+inline RandomWorld any_world(std::uint64_t seed) {
+  constexpr std::array kMakers = {make_random_world, make_furnished_world, make_flat_world,
+                                  make_responsive_world, make_responsive_flat_world};
+  return kMakers[seed % kMakers.size()](seed);
+}
+
 /// A gas of up to `spheres` spheres in a box with these boundaries, no two contacts of which are
 /// simultaneous.
 inline RandomWorld make_random_gas(std::uint64_t seed, const std::array<Boundary, kAxes>& boundary,

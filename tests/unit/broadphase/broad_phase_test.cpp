@@ -35,8 +35,7 @@ using Partner = std::pair<Slot, std::array<std::int32_t, kAxes>>;
 template <class Phase>
 class Copying {
  public:
-  template <class... Arguments>
-  explicit Copying(const Arguments&... arguments) : phase_(arguments...) {}
+  explicit Copying(const PhaseSettings& settings) : phase_(settings) {}
 
   void build(const World& world, const Time& now) { phase_.build(world, now, copies_); }
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
@@ -60,11 +59,14 @@ class Copying {
   Phase phase_;
   CompactPaths copies_;
 };
-using CopyingPairs = Copying<AllPairs>;
-using CopyingGrid = Copying<CellGrid>;
-using CopyingList = Copying<NeighborList>;
-using CopyingShells = Copying<LargeSphereGrid>;
-using CopyingShearedCells = Copying<ShearedCells>;
+
+// A broad phase that is built at time zero.
+template <class Phase>
+Copying<Phase> built(const World& world, const PhaseSettings& settings = {}) {
+  Copying<Phase> phase(settings);
+  phase.build(world, Time(0));
+  return phase;
+}
 
 // The candidates collected for a sphere at `now`, each with its image. Those with an image of their own may
 // not be collected twice, nor include the sphere.
@@ -212,84 +214,11 @@ Extent random_part(const World& world, std::uint64_t seed) {
   return part;
 }
 
-TEST(AllPairs, KnowsWhoMayTouch) {
-  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
-    const support::RandomWorld made = support::make_random_world(seed);
-    SCOPED_TRACE(made.name);
-    fly_about(CopyingPairs(), made.world, made.until, seed);
-    if (HasFailure()) return;
-  }
-}
-
-TEST(CellGrid, KnowsWhoMayTouch) {
-  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
-    const support::RandomWorld made = support::make_random_world(seed);
-    SCOPED_TRACE(made.name);
-    const double diameter = made.world.size() > 0 ? 2 * made.world.largest_radius() : 1;
-    fly_about(CopyingGrid(diameter * (0.5 + static_cast<double>(seed % 7))), made.world, made.until, seed);
-    if (HasFailure()) return;
-  }
-}
-
-TEST(CellGrid, KnowsWhoMayTouchWhereSpheresAreNotExpected) {
-  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
-    const support::RandomWorld made = support::make_random_world(seed);
-    SCOPED_TRACE(made.name);
-    const double diameter = made.world.size() > 0 ? 2 * made.world.largest_radius() : 1;
-    const PhaseSettings settings(diameter * (0.5 + 0.3 * static_cast<double>(seed % 7)));
-    fly_about(CopyingGrid(settings.within(random_part(made.world, seed))), made.world, made.until, seed);
-    if (HasFailure()) return;
-  }
-}
-
-// With skins from the least to the most that boxes allow.
-void fly_about_with_lists(support::RandomWorld (*make)(std::uint64_t), std::uint64_t worlds,
-                          bool in_part = false) {
-  std::uint64_t suited = 0;
-  for (std::uint64_t seed = 0; seed < worlds; ++seed) {
-    const support::RandomWorld made = make(seed);
-    if (made.world.size() == 0 || !NeighborList::supports(made.world)) continue;
-    ++suited;
-    SCOPED_TRACE(made.name);
-    constexpr std::array kSkins = {0.01, 0.1, 0.5, 2.0, 20.0};
-    const double skin = made.world.largest_radius() * kSkins[seed % kSkins.size()];
-    const Extent expected = in_part ? random_part(made.world, seed) : Extent();
-    fly_about(CopyingList(PhaseSettings(skin).within(expected)), made.world, made.until, seed);
-    if (testing::Test::HasFailure()) return;
-  }
-  EXPECT_GT(suited, worlds / 3);
-}
-
-TEST(NeighborList, KnowsWhoMayTouch) {
-  fly_about_with_lists(support::make_random_world, support::cases(1000));
-}
-
-TEST(NeighborList, KnowsWhoMayTouchWhereSpheresAreNotExpected) {
-  fly_about_with_lists(support::make_random_world, support::cases(1000), true);
-}
-
-TEST(NeighborList, KnowsWhoMayTouchWhereImagesSlide) {
-  fly_about_with_lists(support::make_sheared_world, support::cases(300));
-}
-
-TEST(ShearedCells, KnowsWhoMayTouch) {
-  std::uint64_t suited = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
-    const support::RandomWorld made = support::make_sheared_world(seed);
-    const double edge = made.world.largest_radius() * (1 + static_cast<double>(seed % 7));
-    if (!ShearedCells::supports(made.world, edge)) continue;
-    ++suited;
-    SCOPED_TRACE(made.name);
-    fly_about(CopyingShearedCells(edge), made.world, made.until, seed);
-    if (HasFailure()) return;
-  }
-  EXPECT_GT(suited, support::cases(300) / 3);
-}
-
 // A mixture of spheres of radius one and others down to a hundredth of that, in a box of random boundaries;
 // some are at rest.
-World make_mixture(std::uint64_t seed, double size) {
+support::RandomWorld make_mixture(std::uint64_t seed) {
   Random random(seed);
+  const double size = 5 + static_cast<double>(seed % 3);
   const std::array all = {Boundary::periodic, Boundary::wall, Boundary::open};
   const std::array boundary = {all[random.bits() % 3], all[random.bits() % 3], all[random.bits() % 3]};
   World world(Box(boundary, {size, size * (1 + random.uniform()), size}));
@@ -305,31 +234,83 @@ World make_mixture(std::uint64_t seed, double size) {
     world.add(
         {place, random.uniform() < 0.1 ? Vec3{} : random.uniform() * 3 * random.direction(), radius, 1});
   }
-  return world;
+  return {.world = std::move(world), .until = 3, .name = "mixture " + std::to_string(seed)};
 }
 
-void fly_about_with_shells(bool in_part) {
+// A length that depends on the seed, in radii of the largest sphere.
+template <std::size_t kCount>
+auto in_radii(const std::array<double, kCount>& lengths) {
+  return [lengths](const World& world, std::uint64_t seed) {
+    return lengths[seed % kCount] * (world.size() > 0 ? world.largest_radius() : 0.5);
+  };
+}
+constexpr std::array kEdges = {1.0, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0};
+constexpr std::array kFineEdges = {1.0, 1.6, 2.2, 2.8, 3.4, 4.0, 4.6};
+constexpr std::array kShearedEdges = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+constexpr std::array kShellEdges = {0.25, 0.4, 0.6};
+// From the least to the most that boxes allow.
+constexpr std::array kSkins = {0.01, 0.1, 0.5, 2.0, 20.0};
+
+// In worlds of which more than `least_suited` are those that the broad phase supports. Spheres may be
+// expected only in a part of each.
+template <class Phase, class Length>
+void fly_about_in(support::RandomWorld (*make)(std::uint64_t), std::uint64_t worlds, const Length& length,
+                  std::uint64_t least_suited = 0, bool in_part = false) {
   std::uint64_t suited = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
-    const World world = make_mixture(seed, 5 + static_cast<double>(seed % 3));
-    constexpr std::array kEdges = {0.25, 0.4, 0.6};
-    const double edge = kEdges[seed % kEdges.size()];
-    if (!LargeSphereGrid::supports(world, edge)) continue;
+  for (std::uint64_t seed = 0; seed < worlds; ++seed) {
+    const support::RandomWorld made = make(seed);
+    const double wanted = length(made.world, seed);
+    if (!Phase::supports(made.world, wanted)) continue;
     ++suited;
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Extent expected = in_part ? random_part(world, seed) : Extent();
-    fly_about(CopyingShells(PhaseSettings(edge).within(expected)), world, 3, seed);
+    SCOPED_TRACE(made.name);
+    const Extent expected = in_part ? random_part(made.world, seed) : Extent();
+    fly_about(Copying<Phase>(PhaseSettings(wanted).within(expected)), made.world, made.until, seed);
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(suited, support::cases(300) / 2);
+  EXPECT_GT(suited, least_suited);
+}
+constexpr bool kInPart = true;
+
+TEST(AllPairs, KnowsWhoMayTouch) {
+  fly_about_in<AllPairs>(support::make_random_world, support::cases(300), in_radii(kEdges));
+}
+
+TEST(CellGrid, KnowsWhoMayTouch) {
+  fly_about_in<CellGrid>(support::make_random_world, support::cases(300), in_radii(kEdges));
+}
+
+TEST(CellGrid, KnowsWhoMayTouchWhereSpheresAreNotExpected) {
+  fly_about_in<CellGrid>(support::make_random_world, support::cases(300), in_radii(kFineEdges), 0, kInPart);
+}
+
+TEST(NeighborList, KnowsWhoMayTouch) {
+  const std::uint64_t worlds = support::cases(1000);
+  fly_about_in<NeighborList>(support::make_random_world, worlds, in_radii(kSkins), worlds / 3);
+}
+
+TEST(NeighborList, KnowsWhoMayTouchWhereSpheresAreNotExpected) {
+  const std::uint64_t worlds = support::cases(1000);
+  fly_about_in<NeighborList>(support::make_random_world, worlds, in_radii(kSkins), worlds / 3, kInPart);
+}
+
+TEST(NeighborList, KnowsWhoMayTouchWhereImagesSlide) {
+  const std::uint64_t worlds = support::cases(300);
+  fly_about_in<NeighborList>(support::make_sheared_world, worlds, in_radii(kSkins), worlds / 3);
+}
+
+TEST(ShearedCells, KnowsWhoMayTouch) {
+  const std::uint64_t worlds = support::cases(300);
+  fly_about_in<ShearedCells>(support::make_sheared_world, worlds, in_radii(kShearedEdges), worlds / 3);
 }
 
 TEST(LargeSphereGrid, KnowsWhoMayTouch) {
-  fly_about_with_shells(false);
+  const std::uint64_t worlds = support::cases(300);
+  fly_about_in<LargeSphereGrid>(make_mixture, worlds, in_radii(kShellEdges), worlds / 2);
 }
 
 TEST(LargeSphereGrid, KnowsWhoMayTouchWhereSpheresAreNotExpected) {
-  fly_about_with_shells(true);
+  const std::uint64_t worlds = support::cases(300);
+  fly_about_in<LargeSphereGrid>(make_mixture, worlds, in_radii(kShellEdges), worlds / 2, kInPart);
 }
 
 TEST(LargeSphereGrid, SuitsOnlyMixturesInLargeBoxes) {
@@ -365,8 +346,7 @@ TEST(LargeSphereGrid, NoticesALargeSphereThatLeftItsCellsUnseen) {
   World world(Box::periodic({20, 20, 20}));
   world.add({{5, 5, 5}, {1, 0, 0}, 2, 1});
   world.add({{10, 10, 10}, {}, 0.1, 1});
-  CopyingShells grid(1);
-  grid.build(world, Time(0));
+  auto grid = built<LargeSphereGrid>(world, 1);
   EXPECT_NO_THROW(grid.validate(world, Time(0)));
   EXPECT_THROW(grid.validate(world, Time(1)), BrokenInvariant);
 }
@@ -374,8 +354,7 @@ TEST(LargeSphereGrid, NoticesALargeSphereThatLeftItsCellsUnseen) {
 TEST(AllPairs, HasAllOthersAsCandidatesInABoxWithWalls) {
   World world(Box::walls({50, 50, 50}));
   for (int i = 0; i < 5; ++i) world.add({{5.0 + 9 * i, 25, 25}, {1, 0, 0}, 1, 1});
-  CopyingPairs phase;
-  phase.build(world, Time(0));
+  auto phase = built<AllPairs>(world);
   for (Slot slot = 0; slot < 5; ++slot) {
     EXPECT_EQ(candidates_of(phase, world, slot).size(), 4U);
     EXPECT_EQ(phase.next_crossing(world, slot, Time(0)), kNever.high);
@@ -385,11 +364,9 @@ TEST(AllPairs, HasAllOthersAsCandidatesInABoxWithWalls) {
 TEST(CellGrid, HasOnlyNeighborsAsCandidates) {
   World world(Box::walls({50, 50, 50}));
   for (int i = 0; i < 5; ++i) world.add({{5.0 + 9 * i, 25, 25}, {1, 0, 0}, 1, 1});
-  CopyingGrid grid(3);
-  grid.build(world, Time(0));
+  auto grid = built<CellGrid>(world, 3);
   for (Slot slot = 0; slot < 5; ++slot) EXPECT_EQ(candidates_of(grid, world, slot).size(), 0U);
-  CopyingGrid coarse(1000);
-  coarse.build(world, Time(0));
+  auto coarse = built<CellGrid>(world, 1000);
   for (Slot slot = 0; slot < 5; ++slot) EXPECT_EQ(candidates_of(coarse, world, slot).size(), 4U);
 }
 
@@ -415,8 +392,7 @@ TEST(NeighborList, HasThoseAsCandidatesWhoseShellsMeet) {
     World world(Box::walls({50, 50, 50}));
     world.add({{5, 25, 25}, {1, 0, 0}, 1, 1});
     world.add({{5 + distance, 25, 25}, {1, 0, 0}, radius, 1});
-    CopyingList list(skin);
-    list.build(world, Time(0));
+    auto list = built<NeighborList>(world, skin);
     EXPECT_EQ(list.phase().lengths().skin, skin);
     EXPECT_EQ(candidates_of(list, world, 0).size(), candidates_of(list, world, 1).size());
     return candidates_of(list, world, 0).size();
@@ -450,8 +426,7 @@ std::uint64_t count_mutual_neighbors(bool in_part) {
     world.add({{2, 2, 2}, {}, 0.5, 1});
     Extent expected;
     if (in_part) expected.high = place + 3 * random.direction();
-    CopyingList list(PhaseSettings(kSkin).within(expected));
-    list.build(world, Time(0));
+    auto list = built<NeighborList>(world, PhaseSettings(kSkin).within(expected));
     EXPECT_NO_THROW(list.validate(world, Time(0))) << "case " << i;
     if (testing::Test::HasFailure()) break;
     neighbors += candidates_of(list, world, 0).size();
@@ -488,8 +463,7 @@ TEST(NeighborList, FindsNeighborsBeyondTheOutermostCells) {
       world.add({{sign * far, 0, 0}, {}, 1, 1});
       world.add({{sign * (far + kDistance), 0, 0}, {}, 1, 1});
       world.add({{sign * far, 40, 0}, {}, 1, 1});
-      CopyingList list(kSkin);
-      list.build(world, Time(0));
+      auto list = built<NeighborList>(world, kSkin);
       ASSERT_TRUE(candidates_of(list, world, 0).contains({1, {0, 0, 0}}));
       ASSERT_TRUE(candidates_of(list, world, 1).contains({0, {0, 0, 0}}));
       ASSERT_TRUE(candidates_of(list, world, 2).empty());
@@ -508,8 +482,7 @@ TEST(NeighborList, FindsNeighborsInCellsOfAnySize) {
         world.add({{place, 50, 50}, {}, 1, 1});
         world.add({{place + 2.25, 50, 50}, {}, 1, 1});
         world.add({{place, 50, 80}, {}, 1, 1});
-        CopyingList list(0.5);
-        list.build(world, Time(0));
+        auto list = built<NeighborList>(world, 0.5);
         ASSERT_TRUE(candidates_of(list, world, 0).contains({1, {0, 0, 0}}));
         ASSERT_TRUE(candidates_of(list, world, 1).contains({0, {0, 0, 0}}));
         ASSERT_TRUE(candidates_of(list, world, 2).empty());
@@ -523,8 +496,7 @@ TEST(NeighborList, ChangesBothListsWhenASphereCrosses) {
   world.add({{15, 5, 5}, {1, 0, 0}, 0.5, 1});
   world.add({{16, 6, 5}, {}, 0.5, 1});
   world.add({{3, 5, 5}, {}, 0.5, 1});
-  CopyingList list(0.5);
-  list.build(world, Time(0));
+  auto list = built<NeighborList>(world, 0.5);
   EXPECT_EQ(candidates_of(list, world, 1), (std::set<Partner>{{0, {0, 0, 0}}}));
   EXPECT_TRUE(candidates_of(list, world, 2).empty());
   Candidates entered;
@@ -551,8 +523,7 @@ TEST(NeighborList, CrossesAtTheEdgeOfItsBall) {
     World world(Box::periodic({20, 20, 20}));
     const double speed = std::exp2(20 * random.uniform() - 10);
     world.add({{19.9, 5, 5}, speed * random.direction(), 0.5, 1});
-    CopyingList list(kSkin);
-    list.build(world, Time(0));
+    auto list = built<NeighborList>(world, kSkin);
     const double crossing = list.next_crossing(world, 0, Time(0));
     ASSERT_LE(crossing * speed, kSkin);
     ASSERT_GE(crossing * speed, kSkin - early);
@@ -579,8 +550,7 @@ TEST(NeighborList, LeavesItsBallHoweverSlowly) {
     World world(Box::walls({10, 10, 10}));
     world.add({{5, 5, 5}, {1, 0, 0}, 0.5, 1});
     world.rewrite_path(0, Time(0), {speed, 0, 0});
-    CopyingList list(kSkin);
-    list.build(world, Time(0));
+    auto list = built<NeighborList>(world, kSkin);
     const Time first(list.next_crossing(world, 0, Time(0)));
     EXPECT_NEAR(first.value() * speed, kSkin, early);
     Candidates candidates;
@@ -592,8 +562,7 @@ TEST(NeighborList, LeavesItsBallHoweverSlowly) {
 TEST(NeighborList, NeverLeavesItsBallAtRest) {
   World world;
   world.add({{1, 2, 3}, {}, 0.5, 1});
-  CopyingList list(0.1);
-  list.build(world, Time(0));
+  auto list = built<NeighborList>(world, 0.1);
   for (const Time& now : {Time(0), Time(1e300)}) {
     EXPECT_EQ(list.next_crossing(world, 0, now), kNever.high);
   }
@@ -615,7 +584,7 @@ TEST(NeighborList, SuitsBoxesInWhichNoTwoImagesOfANeighborAreNear) {
   EXPECT_FALSE(supports(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {2.5, 3.1, 0}), 0.5));
   World narrow(Box::periodic({3, 3, 3}));
   narrow.add({{1, 1, 1}, {}, 0.5, 1});
-  CopyingList list(0.1);
+  Copying<NeighborList> list(0.1);
   EXPECT_THROW(list.build(narrow, Time(0)), BrokenInvariant);
 }
 
@@ -623,8 +592,7 @@ TEST(NeighborList, TakesAsMuchSkinAsTheBoxHasRoomForAndNeverNone) {
   const auto skin_in = [](double size, double wanted) {
     World world(Box::periodic({size, 100, 100}));
     world.add({{1, 1, 1}, {}, 0.5, 1});
-    CopyingList list(wanted);
-    list.build(world, Time(0));
+    auto list = built<NeighborList>(world, wanted);
     return list.phase().lengths().skin;
   };
   EXPECT_EQ(skin_in(10, 0.3), 0.3);
@@ -636,8 +604,7 @@ TEST(NeighborList, TakesAsMuchSkinAsTheBoxHasRoomForAndNeverNone) {
 TEST(NeighborList, NoticesASphereThatLeftItsBallUnseen) {
   World world(Box::periodic({20, 20, 20}));
   world.add({{19.9, 5, 5}, {1, 0, 0}, 0.5, 1});
-  CopyingList list(0.5);
-  list.build(world, Time(0));
+  auto list = built<NeighborList>(world, 0.5);
   EXPECT_NO_THROW(list.validate(world, Time(0.499)));
   EXPECT_THROW(list.validate(world, Time(0.501)), BrokenInvariant);
 }
@@ -650,8 +617,7 @@ double margin(const Box& box, std::size_t axis) {
 TEST(CellGrid, CountsTheRowsOfCellsThatSpheresLeave) {
   World world;
   world.add({{0.5, 0.5, 0.5}, {1, 0, 0}, 0.25, 1});
-  CopyingGrid grid(1);
-  grid.build(world, Time(0));
+  auto grid = built<CellGrid>(world, 1);
   constexpr int kCrossings = 10;
   Candidates entered;
   Time next(grid.next_crossing(world, 0, Time(0)));
@@ -671,8 +637,7 @@ TEST(CellGrid, CountsTheRowsThatSpheresLeaveInEveryDirection) {
       Vec3 velocity;
       velocity[axis] = speed;
       world.add({{0.5, 0.5, 0.5}, velocity, 0.25, 1});
-      CopyingGrid grid(1);
-      grid.build(world, Time(0));
+      auto grid = built<CellGrid>(world, 1);
       Candidates entered;
       Time next(grid.next_crossing(world, 0, Time(0)));
       for (std::uint64_t i = 0; i < 25; ++i) {
@@ -696,8 +661,7 @@ TEST(CellGrid, CountsTheRowsThatSpheresLeaveInEveryDirection) {
 TEST(CellGrid, CountsNoMoreRowsAsLeftBecauseAPathIsFolded) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{9.5, 5.5, 5.5}, {1, 0, 0}, 0.25, 1});
-  CopyingGrid grid(1);
-  grid.build(world, Time(0));
+  auto grid = built<CellGrid>(world, 1);
   Candidates entered;
   for (Time next(grid.next_crossing(world, 0, Time(0))); next < Time(2);) {
     grid.cross(world, 0, next, entered);
@@ -715,12 +679,9 @@ TEST(CellGrid, CountsNoMoreRowsAsLeftBecauseAPathIsFolded) {
 TEST(BroadPhase, NextCrossingIsNeverBeforeNow) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{5, 5, 5}, {1, 0, 0}, 0.25, 1});
-  CopyingGrid grid(1);
-  grid.build(world, Time(0));
-  CopyingPairs pairs;
-  pairs.build(world, Time(0));
-  CopyingList list(0.5);
-  list.build(world, Time(0));
+  auto grid = built<CellGrid>(world, 1);
+  auto pairs = built<AllPairs>(world);
+  auto list = built<NeighborList>(world, 0.5);
   for (const Time& now : {Time(0), Time(9), Time(9, 1e-20), Time(9, -1e-20)}) {
     EXPECT_GE(list.next_crossing(world, 0, now), rounded_down(now));
     EXPECT_GE(grid.next_crossing(world, 0, now), rounded_down(now));
@@ -754,7 +715,7 @@ TEST(CellGrid, CrossesWithinHalfTheMargin) {
       world.add({place, velocity, radius, 1}, Time(start));
     }
     const double edge = scale * (1 + random.uniform());
-    CopyingGrid grid(edge);
+    Copying<CellGrid> grid(edge);
     const Time now(start);
     grid.build(world, now);
     const Subdivision cells(world.box(), edge, 1 << 28);
@@ -787,8 +748,7 @@ TEST(CellGrid, UsesNearestImagesOnlyWhereTheBoxIsManyCellsWide) {
   const auto nearest_in = [](const Vec3& size, const std::array<Boundary, kAxes>& boundary) {
     World world(Box(boundary, size));
     world.add({{1, 1, 1}, {1, 0, 0}, 0.5, 1});
-    CopyingGrid grid(1.5);
-    grid.build(world, Time(0));
+    auto grid = built<CellGrid>(world, 1.5);
     return grid.phase().uses_minimum_image();
   };
   constexpr std::array kPeriodic = {Boundary::periodic, Boundary::periodic, Boundary::periodic};
@@ -819,8 +779,8 @@ TEST(CellGrid, FindsEveryImageInASmallBox) {
     const World& world = made.world;
     if (world.size() == 0) continue;
     SCOPED_TRACE(made.name);
-    CopyingGrid grid(2 * world.largest_radius() * (0.4 + 0.3 * static_cast<double>(seed % 7)));
-    CopyingPairs pairs;
+    Copying<CellGrid> grid(2 * world.largest_radius() * (0.4 + 0.3 * static_cast<double>(seed % 7)));
+    Copying<AllPairs> pairs;
     grid.build(world, Time(0));
     pairs.build(world, Time(0));
     if (grid.phase().uses_minimum_image()) continue;
@@ -855,18 +815,17 @@ TEST(CellGrid, RefusesCellsThatAreTooSmall) {
   World world(Box::walls({10, 10, 10}));
   world.add({{5, 5, 5}, {}, 1, 1});
   for (const double edge : {0.0, -1.0, 0.01, std::numeric_limits<double>::quiet_NaN()}) {
-    CopyingGrid grid(edge);
+    Copying<CellGrid> grid(edge);
     EXPECT_THROW(grid.build(world, Time(0)), Error);
   }
-  CopyingGrid grid(0.4);  // the remedy named by the message
+  Copying<CellGrid> grid(0.4);  // the remedy named by the message
   EXPECT_NO_THROW(grid.build(world, Time(0)));
 }
 
 TEST(CellGrid, NoticesASphereThatLeftItsCellsUnseen) {
   World world(Box::periodic({20, 20, 20}));
   world.add({{5, 5, 5}, {1, 0, 0}, 0.5, 1});
-  CopyingGrid grid(1);
-  grid.build(world, Time(0));
+  auto grid = built<CellGrid>(world, 1);
   EXPECT_NO_THROW(grid.validate(world, Time(0)));
   EXPECT_THROW(grid.validate(world, Time(3)), BrokenInvariant);
 }

@@ -16,6 +16,7 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/world/pair_event.hpp"
 #include "hardball/world/walls.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::execute_test {
 namespace {
@@ -228,12 +229,7 @@ TEST(Execute, RefusesVelocitiesThatAreNotFiniteOrOutOfRange) {
     Interactions interactions;
     interactions.set_function([&](const Contact& contact) { return Outcome(contact, after); });
     world.set_interactions(interactions);
-    try {
-      execute(world, guard, event, participants_of(world, event), done);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return support::refusal_of([&] { execute(world, guard, event, participants_of(world, event), done); });
   };
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity, 1e300, -1.1e60}) {

@@ -11,6 +11,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/simulation/simulation.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::checkpoint_file_test {
@@ -84,6 +85,21 @@ TEST(CheckpointFile, ThatIsMissingIsRefused) {
   const ScratchFolder folder;
   EXPECT_THROW(read_checkpoint_file(folder / "file"), Error);
   EXPECT_THROW(read_checkpoint_file(folder.path()), Error) << "a directory";
+}
+
+// Checkpoints that programs of before the first release have written.
+
+TEST(EarlierCheckpoints, OfBeforeTheFirstReleaseAreRefusedByName) {
+  const std::string path = HARDBALL_TEST_SUPPORT "/checkpoints/before_first_release.hbc";
+  const std::string saved = read_checkpoint_file(path).at("simulation");
+  try {
+    static_cast<void>(Simulation::load(saved, path));
+    FAIL() << "it was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.problem(), "has version 3 of the format, of before the first release");
+    EXPECT_EQ(error.where(), path);
+    EXPECT_EQ(error.remedy(), "start the run again, or end it with the program that wrote it");
+  }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/walls.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::grown_placement_test {
 namespace {
@@ -98,13 +99,10 @@ TEST(PlaceByGrowth, AlsoWhereTheBoxWillBeSheared) {
 }
 
 std::string error_of(const Box& box, const std::vector<double>& radii) {
-  try {
+  return support::refusal_of([&] {
     Random random(1);
     place_by_growth(World(box), {{}, box.size()}, radii, {}, random, "gas.toml:3:1");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "none";
+  });
 }
 
 TEST(PlaceByGrowth, RefusesWhatWouldJam) {

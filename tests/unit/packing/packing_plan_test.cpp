@@ -11,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/packing/jamming.hpp"
 #include "hardball/packing/request_text.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::packing_plan_test {
 namespace {
@@ -30,12 +31,7 @@ double mean_diameter(const PackingPlan& plan) {
 }
 
 std::string refusal_of(const PackingText& text) {
-  try {
-    plan_of(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return support::refusal_of([&] { plan_of(text); });
 }
 
 void expect_refused(const PackingText& text, const std::string& part) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::radii_test {
@@ -139,12 +140,7 @@ TEST(DrawRadii, ReadsAFile) {
 }
 
 std::string error_of(const RadiusDistribution& distribution, std::size_t count) {
-  try {
-    draw(distribution, count);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return support::refusal_of([&] { draw(distribution, count); });
 }
 
 TEST(DrawRadii, ExplainsWhatIsWrong) {

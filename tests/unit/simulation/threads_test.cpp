@@ -17,23 +17,15 @@
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::threads_test {
 namespace {
 
+using support::problem_of;
+
 World gas() {
   return support::make_gas({.count = 500, .packing_fraction = 0.2, .seed = 77});
-}
-
-// What the error says; "" without one.
-template <class Work>
-std::string problem_of(Work&& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.problem();
-  }
-  return "";
 }
 
 ResponseTable merging() {

@@ -13,6 +13,7 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/interacting.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::faces_test {
 namespace {
@@ -22,12 +23,7 @@ constexpr Face kCeiling = face_of(2, true);
 const Box kSlab({Boundary::periodic, Boundary::periodic, Boundary::wall}, {10, 10, 8});
 
 std::string refusal(Box box, Face face, const FaceProperties& properties) {
-  try {
-    box.set_face(face, properties);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return support::refusal_of([&] { box.set_face(face, properties); });
 }
 
 TEST(Faces, AreRefusedWithTheirName) {

@@ -17,21 +17,15 @@
 #include "hardball/world/audit.hpp"
 #include "hardball/world/totals.hpp"
 #include "hardball/world/walls.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::flat_world_test {
 namespace {
 
-std::string refusal(const std::function<void()>& attempt) {
-  try {
-    attempt();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
+using support::refusal_of;
 
 void expect_refused_out_of_plane(const std::function<void()>& attempt) {
-  EXPECT_NE(refusal(attempt).find("two dimensions"), std::string::npos) << refusal(attempt);
+  EXPECT_NE(refusal_of(attempt).find("two dimensions"), std::string::npos) << refusal_of(attempt);
 }
 
 TEST(FlatBox, HasTwoDimensions) {
@@ -50,7 +44,7 @@ TEST(FlatBox, HasTwoDimensions) {
   EXPECT_TRUE(std::isinf(Box::flat_open().volume()));
   EXPECT_EQ(Box::periodic({2, 3, 4}).dimensions(), 3U);
   EXPECT_EQ(Box::periodic({2, 3, 4}).face_area(1), 8);
-  EXPECT_NE(refusal([] { Box({Boundary::flat, Boundary::wall, Boundary::wall}, {1, 1, 1}); }), "");
+  EXPECT_NE(refusal_of([] { Box({Boundary::flat, Boundary::wall, Boundary::wall}, {1, 1, 1}); }), "");
 }
 
 TEST(FlatWorld, RefusesSpheresOutOfThePlane) {
@@ -60,7 +54,10 @@ TEST(FlatWorld, RefusesSpheresOutOfThePlane) {
   EXPECT_EQ(world.size(), 0U);
   world.add({{5, 5, 0}, {1, 1, -0.0}, 1, 1});
   expect_refused_out_of_plane([&] { world.change_velocity(0, Time(0), {1, 0, 1e-30}); });
-  EXPECT_NE(refusal([&] { world.add({{5, 0.5, 0}, {}, 1, 1}); }).find("through a wall"), std::string::npos);
+  EXPECT_NE(refusal_of([&] {
+              world.add({{5, 0.5, 0}, {}, 1, 1});
+            }).find("through a wall"),
+            std::string::npos);
   EXPECT_DOUBLE_EQ(sphere_volume(world, Time(0)), std::numbers::pi);
 }
 
@@ -87,7 +84,7 @@ TEST(FlatWorld, RefusesResponsesThatLeaveThePlane) {
     after.first.z = 1;
     return after;
   });
-  EXPECT_NE(refusal([&] { simulation.run_until(10); }).find("none along z"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { simulation.run_until(10); }).find("none along z"), std::string::npos);
 }
 
 // Two degrees of freedom: between thermal walls <v^2> becomes 2 kT / m. The standard error of the mean over
@@ -125,7 +122,7 @@ TEST(PlaceDiscs, AtRandomNearlyToSaturation) {
   const std::vector<Vec3> centers = place_randomly(box, {{}, box.size()}, radii, random, "here");
   EXPECT_EQ(audit_of(box, centers, radii).max_overlap, 0);
   const std::vector<double> larger(2000, 1.01 * radius);
-  EXPECT_NE(refusal([&] {
+  EXPECT_NE(refusal_of([&] {
               place_randomly(box, {{}, box.size()}, larger, random, "here");
             }).find("hexagonal"),
             std::string::npos);
@@ -149,7 +146,7 @@ TEST(PlaceDiscs, OnAHexagonalLattice) {
     ASSERT_EQ(centers.size(), 480U);
     EXPECT_EQ(audit_of(box, centers, std::vector<double>(480, radius)).max_overlap, 0);
     EXPECT_NEAR(480 * box.sphere_volume(radius) / box.volume(), kClosePackingOfDiscs, 1e-9);
-    EXPECT_NE(refusal([&] {
+    EXPECT_NE(refusal_of([&] {
                 place_on_lattice(box, {{}, box.size()}, 480, 0.51, "here");
               }).find("hexagonal"),
               std::string::npos);

@@ -15,6 +15,7 @@
 #include "hardball/world/totals.hpp"
 #include "hardball/world/world.hpp"
 #include "support/interacting.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::world_steps_test {
 namespace {
@@ -41,12 +42,7 @@ int level(const World& world, Slot a, Slot b) {
 }
 
 std::string error_of(World world) {
-  try {
-    assign_levels(world, Time(0));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return support::refusal_of([&] { assign_levels(world, Time(0)); });
 }
 
 TEST(Levels, FollowFromDistances) {
@@ -162,12 +158,7 @@ TEST(Steps, ReachIntoRegions) {
 TEST(Steps, ExcludeWhatTheyDoNotGoWith) {
   const StepRules well{.steps = {{1.5, -1}}};
   const auto refused = [](World world, const Interactions& interactions) -> std::string {
-    try {
-      world.set_interactions(interactions);
-    } catch (const Error& error) {
-      return error.problem();
-    }
-    return "";
+    return support::problem_of([&] { world.set_interactions(interactions); });
   };
   EXPECT_NE(refused(World(Box::open(), {0, 0, -1}), support::stepping(well)).find("gravity"),
             std::string::npos);

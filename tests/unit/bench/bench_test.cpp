@@ -6,10 +6,13 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "bench/power_law.hpp"
+#include "bench/time_stepped.hpp"
 #include "hardball/numbers/random.hpp"
 
-namespace hardball::bench::discrete_checks_test {
+namespace hardball::bench_test {
 namespace {
 
 Contact collision(const Vec3& normal, double reach, const Vec3& first, const Vec3& second) {
@@ -85,5 +88,57 @@ TEST(MissedCounter, CountsCollisionsByStep) {
   EXPECT_DOUBLE_EQ(sum.share(1), 1);
 }
 
+TEST(PowerLaw, FindsTheLawThatGeneratedThePoints) {
+  const std::vector<double> x = {1, 3, 10, 500};
+  std::vector<double> y;
+  for (const double value : x) y.push_back(0.25 * std::pow(value, 1.75));
+  const PowerLaw law = fit_power_law(x, y);
+  EXPECT_NEAR(law.exponent, 1.75, 1e-13);
+  EXPECT_NEAR(law.factor, 0.25, 1e-13);
+  EXPECT_NEAR(law.standard_error, 0, 1e-13);
+  EXPECT_EQ(law.points, 4U);
+}
+
+TEST(PowerLaw, GivesTheStandardErrorOfTheSlope) {
+  // In logarithms the points (0, 0), (1, 3), (2, 0): slope 0, residuals -1, 2, -1, error sqrt(6 / 1 / 2).
+  constexpr double e = std::numbers::e;
+  const PowerLaw law = fit_power_law(std::vector{1., e, e * e}, std::vector{1., e * e * e, 1.});
+  EXPECT_NEAR(law.exponent, 0, 1e-14);
+  EXPECT_NEAR(law.standard_error, std::sqrt(3), 1e-13);
+}
+
+TEST(PowerLaw, TwoPointsHaveNoError) {
+  const PowerLaw law = fit_power_law(std::vector{1., 2.}, std::vector{1., 8.});
+  EXPECT_NEAR(law.exponent, 3, 1e-14);
+  EXPECT_TRUE(std::isnan(law.standard_error));
+}
+
+World two_spheres(const Vec3& first_velocity, const Vec3& second_velocity) {
+  World world(Box::walls({20, 10, 10}));
+  world.add({.position = {5, 5, 5}, .velocity = first_velocity, .radius = 1});
+  world.add({.position = {8, 5, 5}, .velocity = second_velocity, .radius = 1});
+  return world;
+}
+
+TEST(TimeStepped, ResolvesACollisionOnce) {
+  TimeStepped simulation(two_spheres({1, 0, 0}, {}), Time(0));
+  EXPECT_EQ(simulation.step(0.9), 0U) << "not there yet";
+  EXPECT_EQ(simulation.step(0.2), 1U);
+  EXPECT_EQ(simulation.step(0.05), 0U) << "they overlap but part";
+}
+
+TEST(TimeStepped, StepsOverACollisionThatIsTooShort) {
+  TimeStepped simulation(two_spheres({10, 0, 0}, {}), Time(0));
+  EXPECT_EQ(simulation.step(0.6), 0U);
+}
+
+TEST(TimeStepped, ReflectsAtWalls) {
+  // The first goes to the wall at 0 and back, and meets the second where it was.
+  TimeStepped simulation(two_spheres({-4, 0, 0}, {}), Time(0));
+  EXPECT_EQ(simulation.step(1), 0U);
+  EXPECT_EQ(simulation.step(1), 0U);
+  EXPECT_EQ(simulation.step(0.4), 1U);
+}
+
 }  // namespace
-}  // namespace hardball::bench::discrete_checks_test
+}  // namespace hardball::bench_test
