@@ -1,9 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Builds the part of the Python package that is written in C++ with CMake; pyproject.toml says the rest.
-
-With HARDBALL_VIEWER=ON in the environment, the viewer is built in, for which npm fetches packages from the network.
-"""
+"""Builds the part of the Python package that is written in C++ with CMake; pyproject.toml says the rest."""
 
 import os
 import re
@@ -24,7 +21,6 @@ class BuildWithCMake(build_ext):
         options = ["-G", "Ninja"] if shutil.which("ninja") else []
         options += ["-DCMAKE_BUILD_TYPE=Release", "-DHARDBALL_PYTHON_PACKAGE=ON", f"-DHARDBALL_PYTHON_FOLDER={folder}"]
         options += [f"-DHARDBALL_{part}=OFF" for part in ("APPS", "EXAMPLES", "TESTS", "INSTALL", "PYTHON_LINKS")]
-        options += [f"-DHARDBALL_VIEWER={os.environ.get('HARDBALL_VIEWER', 'OFF')}"]
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *options], check=True)
         subprocess.run(
             ["cmake", "--build", build, "--target", "hardball_python", "--parallel", str(os.cpu_count() or 1)],

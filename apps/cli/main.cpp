@@ -46,10 +46,8 @@ ExitCode parse_and_run(int argument_count, char** arguments, const Launch& launc
                         pack);
   line.add<ConvertOptions>("convert", "Convert the frames of a file to another format", convert);
   line.add<InfoOptions>("info", "Describe files", info);
-#if HARDBALL_VIEWER
   line.add<ViewOptions>("view", "Show a run in the browser, live or recorded", view);
   line.add<ReplayOptions>("replay", "Write a run as a single HTML file for offline viewing", replay);
-#endif
   line.add("manual", "Print the manual page, for man -l -", [&] { return print_manual(line.describe()); });
   line.add<CompletionOptions>(
       "completion", "Print a completion script for a shell",

@@ -120,9 +120,7 @@ void declare(Arguments arguments, PackOptions& options) {
   declare(arguments, options.packing);
   arguments.add("--out", options.outs, "FILE", "File for the spheres; its extension selects the format");
   arguments.add("--report", options.report, "FILE", "File for a page about the packing (HTML)");
-#if HARDBALL_VIEWER
   arguments.add("--replay", options.replay, "FILE", "File for a page that shows spheres and forces (HTML)");
-#endif
   arguments.add("--limit", options.limit, "SECONDS", "Time after which packing is interrupted");
   arguments.add("--resume", options.checkpoint, "FILE",
                 "Checkpoint of an interrupted packing, instead of all that says what is packed");

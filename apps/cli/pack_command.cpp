@@ -13,6 +13,7 @@
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/packing_cost.hpp"
+#include "apps/cli/packing_replay.hpp"
 #include "apps/cli/packing_summary.hpp"
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
@@ -29,9 +30,6 @@
 #include "hardball/packing/packing.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/trajectory.hpp"
-#if HARDBALL_VIEWER
-#include "apps/cli/packing_replay.hpp"
-#endif
 #if HARDBALL_POLISH
 #include "apps/polish/polish.hpp"
 #endif
@@ -116,9 +114,7 @@ std::string spheres_text(const PackedSpheres& spheres) {
 void write_pages(const Packing& packing, const PackOptions& options) {
   const std::string name = spheres_text(packing.spheres);
   if (options.report) replace_file(*options.report, report::to_html(packing, name, "Hardball " + version()));
-#if HARDBALL_VIEWER
   if (options.replay) write_replay(packing, name, *options.replay);
-#endif
 }
 
 std::string written_files(const PackedSpheres& spheres, const PackOptions& options) {

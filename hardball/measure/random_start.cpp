@@ -11,8 +11,6 @@
 namespace hardball {
 namespace {
 
-constexpr double kRounding = 1e-9;
-
 // Of the energy in potentials of steps. A pair counts half with each of its spheres, so that the total of
 // independent pairs varies twice as much as if the spheres were independent; where spheres exclude each
 // other, it varies less.
@@ -87,6 +85,7 @@ RandomStart::RandomStart(const Scene& scene)
 }
 
 StartSpread RandomStart::spread(const Scene& scene) const {
+  constexpr double kRounding = 1e-9;
   const World& world = scene.world();
   const ThermalMotion& motion = scene.thermal_motion();
   const double change = std::fabs(energy(world, scene.now()) - energy_);

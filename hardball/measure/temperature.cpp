@@ -16,7 +16,7 @@ namespace hardball {
 namespace {
 
 constexpr const char* kEnergyUnit = "M L^2 T^-2";
-constexpr const char* kBegunEarlier = "the run was begun by a version that did not follow the energy";
+constexpr const char* kBegunWithoutEnergy = "the run was begun by a version that did not follow the energy";
 
 // Bins of the average; those of the species follow, and that of the spins, sum of I w^2, is the last.
 constexpr std::size_t kTime = 0;    // since the start
@@ -155,7 +155,7 @@ Measurement Temperature::result(const Scene& scene) const {
                               .unit = kEnergyUnit,
                               .value = all.value,
                               .error = all.error,
-                              .reason = is_followed_ ? "" : kBegunEarlier});
+                              .reason = is_followed_ ? "" : kBegunWithoutEnergy});
   found.columns.push_back({"time", "T", ColumnRole::argument,
                            samples_.history([&](Means means) { return begin_.value() + means[kTime]; })});
   found.columns.push_back({"temperature", kEnergyUnit, ColumnRole::value,

@@ -14,7 +14,7 @@
 namespace hardball {
 namespace {
 
-constexpr const char* kBegunEarlier = "the run was begun by a version that did not follow positions";
+constexpr const char* kBegunWithoutPositions = "the run was begun by a version that did not follow positions";
 
 // Of each sphere: velocity and position. Of each lag: the product of the velocities; and the displacement
 // times the mean of both velocities, which is the integral of the former up to the lag.
@@ -66,7 +66,8 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
   const std::vector<double> lags = average_.lags();
   found.columns.push_back({"lag", "T", ColumnRole::argument, lags});
   if (species.size() == 0) {
-    found.quantities.push_back({.name = "diffusion_constant", .unit = "L^2 T^-1", .reason = kBegunEarlier});
+    found.quantities.push_back(
+        {.name = "diffusion_constant", .unit = "L^2 T^-1", .reason = kBegunWithoutPositions});
   }
   // As in mean_speed.
   const bool is_all_energy =

@@ -9,12 +9,9 @@
 #include <optional>
 #include <string>
 
-#include "hardball/errors/error.hpp"
-#include "python/bindings/simulation_class.hpp"
-#if HARDBALL_VIEWER
 #include "apps/viewer/built_page.hpp"
 #include "apps/viewer/replay.hpp"
-#endif
+#include "python/bindings/simulation_class.hpp"
 
 namespace py = pybind11;
 
@@ -24,7 +21,6 @@ namespace {
 // How the simulation continues, as one page of HTML; the recording is made in the file `path`.
 py::bytes replay_of(const PythonSimulation& self, const std::filesystem::path& path, double until,
                     std::optional<std::uint64_t> contacts) {
-#if HARDBALL_VIEWER
   self.record_ahead(path, until, contacts.value_or(std::numeric_limits<std::uint64_t>::max()),
                     viewer::kMaxReplayedBytes);
   const viewer::SharedRecording recording(path);
@@ -33,11 +29,6 @@ py::bytes replay_of(const PythonSimulation& self, const std::filesystem::path& p
   page.reserve(replay.length());
   while (page.size() < replay.length()) page += replay.piece(page.size());
   return page;
-#else
-  static_cast<void>(self), static_cast<void>(path), static_cast<void>(until), static_cast<void>(contacts);
-  throw RunFailure(
-      "this package was built without the viewer; build it with HARDBALL_VIEWER=ON in the environment");
-#endif
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ usage: check_floors.py PROJECT_FOLDER
 A file of a room includes, by full path from the project's folder, files of its own room and of the rooms that its room
 declares, which stand on strictly lower floors; nothing is declared in vain. Headers include nothing else but the
 standard library, so that users need no other package. The headers beside the rooms are for users, and no room includes
-them.
+them. The word "hot" after the floor is for the build.
 """
 
 import re
@@ -36,8 +36,10 @@ def read_rooms(table):
             continue
         name, floor, uses = words[0], words[1] if len(words) > 1 else "", words[2:]
         if not floor.isdigit():
-            faults.append(f"{table}:{number}: expected: room, floor, rooms it includes")
+            faults.append(f"{table}:{number}: expected: room, floor, 'hot' if it is, rooms it includes")
             continue
+        if uses[:1] == ["hot"]:
+            uses = uses[1:]
         if name in rooms:
             faults.append(f"{table}:{number}: '{name}' is listed twice")
         for used in uses:

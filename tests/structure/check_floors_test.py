@@ -10,9 +10,9 @@ from pathlib import Path
 from check_floors import check
 
 TABLE = """
-# room floor uses
+# room floor hot uses
 cellar  0
-hall    1  cellar
+hall    1 hot cellar
 parlour 1
 attic   2  cellar hall
 """

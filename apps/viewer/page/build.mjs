@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Makes dist/: index.html, page.js and page.css, which need nothing else.
-import { copyFile, mkdir, readFile } from 'node:fs/promises';
+// Makes dist/: page.js and page.css, which index.html refers to and which need nothing else.
+import { readFile } from 'node:fs/promises';
 import { build } from 'esbuild';
 
 const licenses = await Promise.all(
@@ -21,8 +21,6 @@ await build({
   target: ['chrome100', 'firefox100', 'safari15.4'],
   charset: 'utf8',
   legalComments: 'none',
-  banner: { js: notice },
+  banner: { js: notice, css: '/* Hardball, with parts of uPlot: their licenses are in page.js. */' },
   logLevel: 'warning',
 });
-await mkdir('dist', { recursive: true });
-await copyFile('src/index.html', 'dist/index.html');
