@@ -16,7 +16,7 @@
 namespace hardball::cli {
 namespace {
 
-using Blocks = std::vector<std::vector<Traveler>>;
+using Blocks = std::vector<std::vector<SphereTransfer>>;
 
 // Whether spheres can be written to such a file block by block.
 bool takes_parts(SnapshotFormat format) {
@@ -32,13 +32,13 @@ class BlocksInFirst {
       : processes_(simulation.processes()), own_(own), blocks_(simulation.blocks_of_spheres()) {}
 
   // In the first process, the next block in the order of ids; nothing at the end.
-  std::optional<std::vector<Traveler>> next() {
+  std::optional<std::vector<SphereTransfer>> next() {
     if (taken_ == blocks_) return std::nullopt;
     const std::size_t block = taken_++;
     const std::size_t holder = block % processes_.size();
     if (holder == processes_.rank()) return own_[block / processes_.size()];
     const std::string nothing;
-    std::vector<Traveler> spheres;
+    std::vector<SphereTransfer> spheres;
     append_bytes(processes_.exchange({&holder, 1}, {&nothing, 1}).front(), spheres);
     return spheres;
   }
@@ -49,7 +49,7 @@ class BlocksInFirst {
       return;
     }
     const std::size_t first = 0;
-    for (const std::vector<Traveler>& block : own_) {
+    for (const std::vector<SphereTransfer>& block : own_) {
       const std::string bytes = bytes_of(block);
       processes_.exchange({&first, 1}, {&bytes, 1});
     }
@@ -64,7 +64,7 @@ class BlocksInFirst {
 
 SphereTypes types_of_all(Processes& processes, const Blocks& own) {
   SphereTypes types;
-  for (const std::vector<Traveler>& block : own) {
+  for (const std::vector<SphereTransfer>& block : own) {
     for (const auto& [state, contacts] : block) types.add(state.species, state.radius, state.mass);
   }
   SphereTypes all;
@@ -99,10 +99,10 @@ void write_in_parts(StartedRun& run, double time) {
   for (std::size_t k = 0; k < run.scenario.trajectories.size(); ++k) {
     BlocksInFirst blocks(simulation, own);
     const auto next = [&]() -> std::optional<Snapshot> {
-      const std::optional<std::vector<Traveler>> block = blocks.next();
+      const std::optional<std::vector<SphereTransfer>> block = blocks.next();
       if (!block) return std::nullopt;
       World world = empty;
-      for (const Traveler& traveler : *block) world.insert(traveler.state);
+      for (const SphereTransfer& transfer : *block) world.insert(transfer.state);
       Snapshot part = snapshot_of(world, simulation.now());
       part.has_spins = head.has_spins;
       part.time = time;

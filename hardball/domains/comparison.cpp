@@ -24,11 +24,11 @@ double distance_between(const Box& box, const Vec3& a, const Vec3& b) {
 // chords are ways flown, and not distances between places inside the box.
 class Course {
  public:
-  Course(const World& world, const Frontier& frontier, const Path& path, double begin)
-      : world_(world), frontier_(frontier), path_(path), moment_(later(Time(begin), path.time)) {
+  Course(const World& world, const BoundaryWatch& boundary, const Path& path, double begin)
+      : world_(world), boundary_(boundary), path_(path), moment_(later(Time(begin), path.time)) {
     center_ = world.motion().position_at(path_, moment_);
     world.box().fold(center_);
-    distance_ = frontier.block().distance(center_);
+    distance_ = boundary.block().distance(center_);
     nearest_ = distance_;
   }
 
@@ -45,14 +45,14 @@ class Course {
   }
 
   bool comes_within(double guard) const { return nearest_ <= guard; }
-  Doubt doubt(double since) const { return {since, center_, extent_}; }
+  Conflict conflict(double since) const { return {since, center_, extent_}; }
 
  private:
   // `position` is inside the box.
   void fly_to(const Vec3& position, const Time& moment) {
     const double wait = duration(moment_, moment);
     const double sag = largest_component(world_.motion().gravity()) * wait * wait / 8;
-    const double distance = frontier_.block().distance(position);
+    const double distance = boundary_.block().distance(position);
     const Vec3 step =
         world_.motion().position_at(path_, moment) - world_.motion().position_at(path_, moment_);
     flown_ += step;
@@ -63,7 +63,7 @@ class Course {
   }
 
   const World& world_;
-  const Frontier& frontier_;
+  const BoundaryWatch& boundary_;
   Path path_;
   Time moment_;
   Vec3 center_;
@@ -77,15 +77,15 @@ class Course {
 
 // Both sides have their records in the order of time, so most stand opposite each other. Those that do not,
 // or that are not the same, are of ghosts that differ; or of simultaneous contacts in another order.
-void Comparison::find_differing(const Residents& residents, std::span<const GhostRecord> own,
+void Comparison::find_differing(const OwnershipMap& ownership, std::span<const GhostRecord> own,
                                 std::span<const Outbox* const> inboxes) {
   constexpr std::size_t kAhead = 8;
   differing_.clear();
   next_.assign(inboxes.size(), 0);
   for (std::size_t k = 0; k < own.size(); ++k) {
-    if (k + kAhead < own.size()) residents.prefetch_ghost(own[k + kAhead].ghost);
+    if (k + kAhead < own.size()) ownership.prefetch_ghost(own[k + kAhead].ghost);
     const PathRecord& record = own[k].record;
-    const std::uint32_t owner = residents.ghost(own[k].ghost).owner;
+    const std::uint32_t owner = ownership.ghost(own[k].ghost).owner;
     const std::vector<PathRecord>& records = inboxes[owner]->records;
     std::size_t& next = next_[owner];
     for (; next < records.size() && records[next].time < record.time; ++next)
@@ -127,10 +127,10 @@ void Comparison::collect_references(std::span<const GhostRecord> own,
   });
 }
 
-double Comparison::compare(const World& world, const Residents& residents, const Frontier& frontier,
+double Comparison::compare(const World& world, const OwnershipMap& ownership, const BoundaryWatch& boundary,
                            std::span<const GhostRecord> own, std::span<const Outbox* const> inboxes,
                            double begin, double end, std::vector<Outbox>& outboxes) {
-  find_differing(residents, own, inboxes);
+  find_differing(ownership, own, inboxes);
   collect_references(own, inboxes);
   corrections_.clear();
   double bad = kNeverBad;
@@ -146,9 +146,9 @@ double Comparison::compare(const World& world, const Residents& residents, const
       ++true_one;
     next = last;
     if (true_one == middle && own_one == last) continue;
-    const std::uint32_t ghost = residents.find_ghost(sphere);
+    const std::uint32_t ghost = ownership.find_ghost(sphere);
     HARDBALL_CHECK(ghost != IdMap::kNone);
-    const Slot slot = residents.ghost(ghost).slot;
+    const Slot slot = ownership.ghost(ghost).slot;
     const Path& begin_path = middle != last ? middle->own->path_before : world.path(slot);
     const Vec3 begin_spin = middle != last ? middle->own->spin_before : world.spin(slot);
     const Path& common = true_one == first ? begin_path : (true_one - 1)->record->path;
@@ -156,7 +156,7 @@ double Comparison::compare(const World& world, const Residents& residents, const
     corrections_.push_back({ghost, truth_changes ? (middle - 1)->record->path : begin_path,
                             truth_changes ? (middle - 1)->record->spin : begin_spin});
     double since = end;
-    Course course(world, frontier, common, begin);
+    Course course(world, boundary, common, begin);
     for (auto k = own_one; k != last; ++k) {
       since = std::min(since, k->record->time.high);
       if (k->record->is_partner_own) bad = std::min(bad, k->record->time.high);
@@ -167,17 +167,17 @@ double Comparison::compare(const World& world, const Residents& residents, const
       course.turn(k->record->path);
     }
     course.end(end);
-    if (course.comes_within(frontier.guard()))
-      outboxes[residents.ghost(ghost).owner].doubts.push_back(course.doubt(since));
+    if (course.comes_within(boundary.guard()))
+      outboxes[ownership.ghost(ghost).owner].conflicts.push_back(course.conflict(since));
   }
   return bad;
 }
 
-double time_of_doubt(const Box& box, const Halo& halo, std::span<const Doubt> own,
-                     std::span<const Doubt> other) {
+double time_of_conflict(const Box& box, const Halo& halo, std::span<const Conflict> own,
+                        std::span<const Conflict> other) {
   double bad = kNeverBad;
-  for (const Doubt& a : own) {
-    for (const Doubt& b : other) {
+  for (const Conflict& a : own) {
+    for (const Conflict& b : other) {
       if (distance_between(box, a.center, b.center) <= (a.extent + b.extent + halo.contact) * (1 + 0x1p-30))
         bad = std::min(bad, std::max(a.since, b.since));
     }

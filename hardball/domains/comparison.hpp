@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "hardball/domains/frontier.hpp"
+#include "hardball/domains/boundary_watch.hpp"
 #include "hardball/domains/messages.hpp"
-#include "hardball/domains/residents.hpp"
+#include "hardball/domains/ownership_map.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -32,12 +32,12 @@ struct Correction {
 class Comparison {
  public:
   /// Returns when an own sphere first had a contact with a ghost that differs, here or at its owner [T];
-  /// infinity if none had in the whole window, from `begin` to `end`. Appends a Doubt about each ghost that
-  /// differs to the outbox of its owner, which must compare the two; see time_of_doubt.
+  /// infinity if none had in the whole window, from `begin` to `end`. Appends a Conflict about each ghost
+  /// that differs to the outbox of its owner, which must compare the two; see time_of_conflict.
   ///
   /// Of a sphere that differs, only a contact with an own sphere matters, here or at its owner; and where an
   /// own sphere may be wrong, too, whether the two have touched. Source: docs/parallel.md, with the proof.
-  double compare(const World& world, const Residents& residents, const Frontier& frontier,
+  double compare(const World& world, const OwnershipMap& ownership, const BoundaryWatch& boundary,
                  std::span<const GhostRecord> own, std::span<const Outbox* const> inboxes, double begin,
                  double end, std::vector<Outbox>& outboxes);
 
@@ -52,7 +52,7 @@ class Comparison {
     const GhostRecord* own;  // none in a record of the owner
   };
 
-  void find_differing(const Residents& residents, std::span<const GhostRecord> own,
+  void find_differing(const OwnershipMap& ownership, std::span<const GhostRecord> own,
                       std::span<const Outbox* const> inboxes);
   void collect_references(std::span<const GhostRecord> own, std::span<const Outbox* const> inboxes);
 
@@ -64,7 +64,7 @@ class Comparison {
 
 /// A time before which two spheres that may be wrong in two domains cannot have touched [T]; infinity if they
 /// have not.
-double time_of_doubt(const Box& box, const Halo& halo, std::span<const Doubt> own,
-                     std::span<const Doubt> other);
+double time_of_conflict(const Box& box, const Halo& halo, std::span<const Conflict> own,
+                        std::span<const Conflict> other);
 
 }  // namespace hardball

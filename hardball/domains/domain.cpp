@@ -8,36 +8,36 @@
 namespace hardball {
 
 double Domain::verify(std::span<const Outbox* const> inboxes, double until) {
-  double bad = std::min(frontier_.far_since(), failed_at_);
+  double bad = std::min(boundary_.far_since(), failed_at_);
   for (const Outbox* inbox : inboxes) {
-    for (const Flight& flight : inbox->flights) bad = std::min(bad, frontier_.time_within_guard(flight));
+    for (const NearPass& pass : inbox->near_passes) bad = std::min(bad, boundary_.time_within_guard(pass));
   }
-  return std::min(bad, comparison_.compare(world(), residents_, frontier_, ghost_records_, inboxes,
+  return std::min(bad, comparison_.compare(world(), ownership_, boundary_, ghost_records_, inboxes,
                                            begin_.high, until, outboxes_));
 }
 
-double Domain::doubtful_since(std::span<const Outbox* const> inboxes) const {
+double Domain::in_conflict_since(std::span<const Outbox* const> inboxes) const {
   double bad = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < inboxes.size(); ++k) {
-    bad = std::min(bad,
-                   time_of_doubt(world().box(), frontier_.halo(), outboxes_[k].doubts, inboxes[k]->doubts));
+    bad = std::min(bad, time_of_conflict(world().box(), boundary_.halo(), outboxes_[k].conflicts,
+                                         inboxes[k]->conflicts));
   }
   return bad;
 }
 
 void Domain::validate() const {
   for (Slot slot = 0; slot < world().size(); ++slot) {
-    if (!residents_.is_own(slot)) continue;
+    if (!ownership_.is_own(slot)) continue;
     const Time now = later(begin_, world().path(slot).time);
-    const Frontier::Distances place = frontier_.distances(folded_state(slot, now).position);
-    HARDBALL_CHECK(frontier_.fits(place, residents_.holders(slot)));
+    const BoundaryWatch::Distances place = boundary_.distances(folded_state(slot, now).position);
+    HARDBALL_CHECK(boundary_.fits(place, ownership_.holders(slot)));
   }
 }
 
 void Domain::undo() {
   engine_.rewind_to_begin();
   // What they were set for may not happen again, or something else sooner.
-  for (const Frontier::Alarm& alarm : taken_) frontier_.set_alarm({begin_.high, alarm.slot, kNever});
+  for (const BoundaryWatch::Wakeup& wakeup : taken_) boundary_.set_wakeup({begin_.high, wakeup.slot, kNever});
   taken_.clear();
   touched_.clear();
 }
@@ -48,31 +48,31 @@ void Domain::change_velocity(SphereId sphere, const Vec3& velocity, const Time& 
   const NewVelocity change{*slot, world().velocity(*slot, moment), velocity};
   engine_.change_velocities(moment, {&change, 1});
   begin_ = later(begin_, moment);
-  if (residents_.is_own(*slot)) set_alarm(*slot);
+  if (ownership_.is_own(*slot)) set_wakeup(*slot);
 }
 
 void Domain::add(const SphereState& sphere, DomainNumber owner, const Time& moment) {
   const bool is_own = owner == number_;
-  if (!is_own && frontier_.block().distance(sphere.path.position) > frontier_.halo().depth) return;
+  if (!is_own && boundary_.block().distance(sphere.path.position) > boundary_.halo().depth) return;
   begin_ = later(begin_, moment);
-  engine_.put({&sphere, 1}, moment);
+  engine_.upsert_spheres({&sphere, 1}, moment);
   if (is_own) {
-    residents_.add_own(frontier_.holders_at(sphere.path.position));
-    set_alarm(static_cast<Slot>(world().size() - 1));
+    ownership_.add_own(boundary_.holders_at(sphere.path.position));
+    set_wakeup(static_cast<Slot>(world().size() - 1));
   } else {
-    residents_.add_ghost(sphere.id, neighbor_number(owner));
+    ownership_.add_ghost(sphere.id, neighbor_number(owner));
   }
 }
 
 void Domain::watch(double horizon) {
-  frontier_.restart(begin_.high, horizon);
+  boundary_.restart(begin_.high, horizon);
   for (Slot slot = 0; slot < world().size(); ++slot) {
-    if (!residents_.is_own(slot)) continue;
+    if (!ownership_.is_own(slot)) continue;
     const Path& path = world().path(slot);
-    const bool is_interior = residents_.holders(slot) == 0 &&
-                             frontier_.is_interior(path.position, 0, path.time.high,
+    const bool is_interior = ownership_.holders(slot) == 0 &&
+                             boundary_.is_interior(path.position, 0, path.time.high,
                                                    largest_component(path.velocity), path.time.high);
-    if (!is_interior) set_alarm(slot);
+    if (!is_interior) set_wakeup(slot);
   }
 }
 
@@ -80,17 +80,17 @@ World Domain::residents_of(const World& whole, std::span<const DomainNumber> own
   std::vector<Slot> slots;
   for (Slot slot = 0; slot < whole.size(); ++slot) {
     const bool is_own = owners[slot] == number_;
-    if (is_own || frontier_.block().distance(whole.position(slot, now)) <= frontier_.halo().depth)
+    if (is_own || boundary_.block().distance(whole.position(slot, now)) <= boundary_.halo().depth)
       slots.push_back(slot);
   }
   World world = whole.without_spheres();
   world.insert_all(slots.size(), [&](std::size_t k) { return whole.state_of(slots[k]); });
-  residents_.reserve(slots.size());
+  ownership_.reserve(slots.size());
   for (const Slot slot : slots) {
     if (owners[slot] == number_) {
-      residents_.add_own(frontier_.holders_at(whole.position(slot, now)));
+      ownership_.add_own(boundary_.holders_at(whole.position(slot, now)));
     } else {
-      residents_.add_ghost(whole.id(slot), neighbor_number(owners[slot]));
+      ownership_.add_ghost(whole.id(slot), neighbor_number(owners[slot]));
     }
   }
   begin_ = now;
@@ -100,9 +100,9 @@ World Domain::residents_of(const World& whole, std::span<const DomainNumber> own
 void Domain::remove_at(Slot slot, const Time& moment) {
   begin_ = later(begin_, moment);
   engine_.remove_at(slot, moment);
-  residents_.erase(slot);
+  ownership_.erase(slot);
   // The sphere that is stored there from now on.
-  if (slot < world().size() && residents_.is_own(slot)) set_alarm(slot);
+  if (slot < world().size() && ownership_.is_own(slot)) set_wakeup(slot);
 }
 
 std::uint32_t Domain::neighbor_number(DomainNumber domain) const {
@@ -114,7 +114,7 @@ std::uint32_t Domain::neighbor_number(DomainNumber domain) const {
 void Domain::begin_window() {
   begin_ = later(begin_, engine_.now());
   engine_.begin_journal(begin_);
-  frontier_.begin(begin_.high);
+  boundary_.begin(begin_.high);
   for (Outbox& outbox : outboxes_) outbox.clear();
   if (is_adding_) {
     sums_ = sums_before_;  // the last one was undone, or threw
@@ -132,7 +132,7 @@ HARDBALL_NEVER_INLINE void Domain::log(const Contact& contact, bool owns_first, 
   LoggedContact logged{contact, owns_first};
   if (contact.is_collision() && owns_first != owns_second) {
     const Slot ghost = owns_first ? engine_.participants().second : engine_.participants().first;
-    logged.other_owner = neighbors()[residents_.ghost(residents_.ghost_number(ghost)).owner];
+    logged.other_owner = neighbors()[ownership_.ghost(ownership_.ghost_number(ghost)).owner];
   }
   log_.push_back(logged);
 }
@@ -146,11 +146,11 @@ PathRecord Domain::record_of(Slot slot, SphereId id, const Contact& contact) con
 HARDBALL_NEVER_INLINE void Domain::note_near_frontier(Slot slot, SphereId id, const Leg& leg,
                                                       const Vec3& after, const Contact& contact,
                                                       Slot partner) {
-  const NeighborSet holders = residents_.holders(slot);
-  const Frontier::Distances place = frontier_.distances(leg.end_position);
-  frontier_.note(leg, place, holders, outboxes_);
-  frontier_.set_alarm(
-      {frontier_.time_of_change(place, holders, after, leg.end), slot, world().path(slot).time});
+  const NeighborSet holders = ownership_.holders(slot);
+  const BoundaryWatch::Distances place = boundary_.distances(leg.end_position);
+  boundary_.note(leg, place, holders, outboxes_);
+  boundary_.set_wakeup(
+      {boundary_.time_of_change(place, holders, after, leg.end), slot, world().path(slot).time});
   if (holders == 0) return;
   PathRecord record = record_of(slot, id, contact);
   const bool turns = contact.outcome == ContactOutcome::bounce;
@@ -168,18 +168,18 @@ HARDBALL_NEVER_INLINE void Domain::note_ghost(Slot slot, SphereId id, const Cont
   const bool turns = contact.outcome == ContactOutcome::bounce;
   GhostRecord noted{record_of(slot, id, contact),
                     turns ? world().journal().path_before(slot) : world().path(slot), spin_before,
-                    residents_.ghost_number(slot)};
-  noted.record.is_partner_own = partner != slot && residents_.is_own(partner);
+                    ownership_.ghost_number(slot)};
+  noted.record.is_partner_own = partner != slot && ownership_.is_own(partner);
   append_ahead(ghost_records_, noted);
 }
 
 void Domain::keep_own_counts() {
   if (engine_.collapse_guard().is_empty()) return;
-  Aftermath aftermath = engine_.aftermath();
-  aftermath.collapse.keep_only([this](SphereId sphere) {
-    return world().contains(sphere) && residents_.is_own(world().slot_of(sphere));
+  PostContactState post_contact_state = engine_.post_contact_state();
+  post_contact_state.collapse.keep_only([this](SphereId sphere) {
+    return world().contains(sphere) && ownership_.is_own(world().slot_of(sphere));
   });
-  engine_.take_over(aftermath);
+  engine_.take_over(post_contact_state);
 }
 
 State Domain::folded_state(Slot slot, const Time& moment) const {
@@ -188,30 +188,30 @@ State Domain::folded_state(Slot slot, const Time& moment) const {
   return state;
 }
 
-Frontier::Alarm Domain::alarm_of(Slot slot, const State& state, const Frontier::Distances& place,
-                                 const Time& moment) const {
-  return {frontier_.time_of_change(place, residents_.holders(slot), state.velocity, moment.high), slot,
+BoundaryWatch::Wakeup Domain::wakeup_of(Slot slot, const State& state, const BoundaryWatch::Distances& place,
+                                        const Time& moment) const {
+  return {boundary_.time_of_change(place, ownership_.holders(slot), state.velocity, moment.high), slot,
           world().path(slot).time};
 }
 
-Frontier::Alarm Domain::alarm_since(Slot slot, const Time& moment) const {
+BoundaryWatch::Wakeup Domain::wakeup_since(Slot slot, const Time& moment) const {
   const Time now = later(moment, world().path(slot).time);
   const State state = folded_state(slot, now);
-  return alarm_of(slot, state, frontier_.distances(state.position), now);
+  return wakeup_of(slot, state, boundary_.distances(state.position), now);
 }
 
 void Domain::end_legs(double until) {
-  take_alarms(until, [&](const Frontier::Alarm& alarm) {
-    const Slot slot = alarm.slot;
-    if (alarm.path != world().path(slot).time) {
-      const Frontier::Alarm next = alarm_since(slot, begin_);
-      if (next.time > until) return frontier_.set_alarm(next);
+  take_wakeups(until, [&](const BoundaryWatch::Wakeup& wakeup) {
+    const Slot slot = wakeup.slot;
+    if (wakeup.path != world().path(slot).time) {
+      const BoundaryWatch::Wakeup next = wakeup_since(slot, begin_);
+      if (next.time > until) return boundary_.set_wakeup(next);
     }
     touched_.push_back(slot);
     const Time& since = world().path(slot).time;
     const State state = folded_state(slot, later(Time(until), since));
-    frontier_.note({since.high, until, state.position, state.velocity}, frontier_.distances(state.position),
-                   residents_.holders(slot), outboxes_);
+    boundary_.note({since.high, until, state.position, state.velocity}, boundary_.distances(state.position),
+                   ownership_.holders(slot), outboxes_);
   });
 }
 
@@ -224,7 +224,7 @@ void Domain::commit(const Time& moment) {
   keep_own_counts();
   for (Outbox& outbox : outboxes_) outbox.clear();
   // Those of a contact that is executed alone were set after the others were taken.
-  take_alarms(moment.high, [&](const Frontier::Alarm& alarm) { touched_.push_back(alarm.slot); });
+  take_wakeups(moment.high, [&](const BoundaryWatch::Wakeup& wakeup) { touched_.push_back(wakeup.slot); });
   taken_.clear();
   std::ranges::sort(touched_);
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
@@ -239,48 +239,48 @@ void Domain::commit(const Time& moment) {
 void Domain::receive(std::span<const Outbox* const> inboxes) {
   for (const Outbox* inbox : inboxes) {
     for (const SphereId sphere : inbox->departures) {
-      const std::uint32_t ghost = residents_.find_ghost(sphere);
+      const std::uint32_t ghost = ownership_.find_ghost(sphere);
       HARDBALL_CHECK(ghost != IdMap::kNone);
-      remove_at(residents_.ghost(ghost).slot, begin_);
+      remove_at(ownership_.ghost(ghost).slot, begin_);
     }
   }
   correct();
   arriving_.clear();
   for (const Outbox* inbox : inboxes) {
     for (const Arrival& arrival : inbox->arrivals) {
-      HARDBALL_CHECK(residents_.find_ghost(arrival.sphere.id) == IdMap::kNone);
+      HARDBALL_CHECK(ownership_.find_ghost(arrival.sphere.id) == IdMap::kNone);
       arriving_.push_back(arrival.sphere);
     }
   }
-  engine_.put(arriving_, begin_);
+  engine_.upsert_spheres(arriving_, begin_);
   for (const Outbox* inbox : inboxes) {
     for (const Arrival& arrival : inbox->arrivals)
-      residents_.add_ghost(arrival.sphere.id, neighbor_number(arrival.owner));
+      ownership_.add_ghost(arrival.sphere.id, neighbor_number(arrival.owner));
   }
   for (const Outbox* inbox : inboxes) {
     for (const NewOwner& change : inbox->new_owners) {
-      const std::uint32_t ghost = residents_.find_ghost(change.sphere);
+      const std::uint32_t ghost = ownership_.find_ghost(change.sphere);
       HARDBALL_CHECK(ghost != IdMap::kNone);
-      residents_.set_owner(ghost, neighbor_number(change.owner));
+      ownership_.set_owner(ghost, neighbor_number(change.owner));
     }
   }
   for (const Outbox* inbox : inboxes) {
     for (const Handover& handover : inbox->handovers) take_over(handover);
   }
-  HARDBALL_CHECK(residents_.size() == world().size());
+  HARDBALL_CHECK(ownership_.size() == world().size());
 }
 
 void Domain::review(Slot slot) {
-  if (!residents_.is_own(slot)) return;
+  if (!ownership_.is_own(slot)) return;
   const State state = folded_state(slot, begin_);
-  const Frontier::Distances place = frontier_.distances(state.position);
+  const BoundaryWatch::Distances place = boundary_.distances(state.position);
   const SphereId id = world().id(slot);
-  const NeighborSet before = residents_.holders(slot);
-  NeighborSet holders = frontier_.holders_at(place, before);
+  const NeighborSet before = ownership_.holders(slot);
+  NeighborSet holders = boundary_.holders_at(place, before);
   const bool is_outside = place.own > 0;
   std::uint32_t owner = 0;
   if (is_outside) {
-    owner = frontier_.nearest_neighbor(place);
+    owner = boundary_.nearest_neighbor(place);
     holders |= NeighborSet{1} << owner;
   }
   for (std::uint32_t neighbor = 0; neighbor < outboxes_.size(); ++neighbor) {
@@ -292,8 +292,8 @@ void Domain::review(Slot slot) {
     }
   }
   if (!is_outside) {
-    residents_.set_holders(slot, holders);
-    return frontier_.set_alarm(alarm_of(slot, state, place, begin_));
+    ownership_.set_holders(slot, holders);
+    return boundary_.set_wakeup(wakeup_of(slot, state, place, begin_));
   }
   hand_over(slot, id, holders, owner);
 }
@@ -306,37 +306,37 @@ void Domain::hand_over(Slot slot, SphereId id, NeighborSet holders, std::uint32_
     outboxes_[neighbor].new_owners.push_back({id, neighbors()[owner]});
   }
   outboxes_[owner].handovers.push_back(std::move(handover));
-  residents_.make_ghost(slot, id, owner);
+  ownership_.make_ghost(slot, id, owner);
 }
 
 void Domain::take_over(const Handover& handover) {
-  const std::uint32_t ghost = residents_.find_ghost(handover.sphere.id);
+  const std::uint32_t ghost = ownership_.find_ghost(handover.sphere.id);
   HARDBALL_CHECK(ghost != IdMap::kNone);
-  const Slot slot = residents_.ghost(ghost).slot;
+  const Slot slot = ownership_.ghost(ghost).slot;
   HARDBALL_CHECK(world().id(slot) == handover.sphere.id && world().path(slot) == handover.sphere.path);
-  SphereEdit(engine_.world_to_edit(), begin_, slot).store(slot, handover.sphere);
+  SphereEdit(engine_.mutable_world(), begin_, slot).store(slot, handover.sphere);
   NeighborSet holders = 0;
   for (const DomainNumber holder : handover.holders) holders |= NeighborSet{1} << neighbor_number(holder);
-  residents_.make_own(slot, holders);
+  ownership_.make_own(slot, holders);
   if (handover.idle_contacts > 0) {
-    Aftermath aftermath = engine_.aftermath();
-    aftermath.collapse.set_idle_contacts(handover.sphere.id, handover.idle_contacts);
-    engine_.take_over(aftermath);
+    PostContactState post_contact_state = engine_.post_contact_state();
+    post_contact_state.collapse.set_idle_contacts(handover.sphere.id, handover.idle_contacts);
+    engine_.take_over(post_contact_state);
   }
-  residents_.note_change(slot);
-  set_alarm(slot);
+  ownership_.note_change(slot);
+  set_wakeup(slot);
 }
 
 void Domain::correct() {
   corrected_.clear();
   for (const Correction& correction : comparison_.corrections()) {
-    const Residents::Ghost& ghost = residents_.ghost(correction.ghost);
-    if (residents_.find_ghost(ghost.sphere) != correction.ghost) continue;  // gone
+    const OwnershipMap::Ghost& ghost = ownership_.ghost(correction.ghost);
+    if (ownership_.find_ghost(ghost.sphere) != correction.ghost) continue;  // gone
     const Slot slot = ghost.slot;
     if (world().path(slot) == correction.path && world().spin(slot) == correction.spin) continue;
     corrected_.push_back({slot, correction.path, correction.spin});
   }
-  engine_.put_on_paths(corrected_, begin_);
+  engine_.replace_paths(corrected_, begin_);
 }
 
 }  // namespace hardball

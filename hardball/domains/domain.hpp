@@ -11,15 +11,15 @@
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/domains/boundary_watch.hpp"
 #include "hardball/domains/comparison.hpp"
-#include "hardball/domains/frontier.hpp"
 #include "hardball/domains/messages.hpp"
-#include "hardball/domains/residents.hpp"
+#include "hardball/domains/ownership_map.hpp"
 #include "hardball/engine/engine.hpp"
-#include "hardball/engine/put.hpp"
 #include "hardball/engine/run.hpp"
-#include "hardball/execution/aftermath.hpp"
+#include "hardball/engine/upsert.hpp"
 #include "hardball/execution/execute.hpp"
+#include "hardball/execution/post_contact_state.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/measure/contact_sums.hpp"
 #include "hardball/world/new_velocity.hpp"
@@ -40,7 +40,7 @@ struct LoggedContact {
 /// The spheres in and around a block of the box, with an engine of their own, which runs ahead through a
 /// window of time as if no sphere came from farther away.
 ///
-/// All domains do the same at once, a step at a time: `run`, then `verify`, then `doubtful_since`; if what
+/// All domains do the same at once, a step at a time: `run`, then `verify`, then `in_conflict_since`; if what
 /// happened is right, `commit` and `receive`, otherwise `undo`. They exchange messages in outboxes.
 class Domain {
  public:
@@ -51,31 +51,31 @@ class Domain {
   Domain(const World& whole, std::span<const DomainNumber> owners, const Time& now,
          const Partition& partition, DomainNumber number, const Halo& halo, const PhaseSettings& phase)
       : number_(number),
-        frontier_(partition, number, halo, whole.motion()),
-        phase_(phase.within(frontier_.block().surroundings(halo.outer()))),
-        outboxes_(frontier_.neighbors().size()),
+        boundary_(partition, number, halo, whole.motion()),
+        phase_(phase.within(boundary_.block().surroundings(halo.outer()))),
+        outboxes_(boundary_.neighbors().size()),
         engine_(residents_of(whole, owners, now), phase_, now) {}
 
   DomainNumber number() const { return number_; }
   /// The begin of the window, or of the next.
   const Time& begin() const { return begin_; }
-  const std::vector<DomainNumber>& neighbors() const { return frontier_.neighbors(); }
+  const std::vector<DomainNumber>& neighbors() const { return boundary_.neighbors(); }
   const Engine& engine() const { return engine_; }
   Engine& engine() { return engine_; }
   const World& world() const { return engine_.world(); }
-  const Residents& residents() const { return residents_; }
+  const OwnershipMap& ownership() const { return ownership_; }
   bool owns(SphereId sphere) const {
     const std::optional<Slot> slot = world().find(sphere);
-    return slot && residents_.is_own(*slot);
+    return slot && ownership_.is_own(*slot);
   }
-  const Frontier& frontier() const { return frontier_; }
+  const BoundaryWatch& boundary() const { return boundary_; }
   /// Continues for other engines.
-  void take_over(const Aftermath& aftermath) {
-    engine_.take_over(aftermath);
+  void take_over(const PostContactState& post_contact_state) {
+    engine_.take_over(post_contact_state);
     keep_own_counts();
   }
   std::size_t memory_bytes() const {
-    return engine_.memory_bytes() + residents_.memory_bytes() + frontier_.memory_bytes() +
+    return engine_.memory_bytes() + ownership_.memory_bytes() + boundary_.memory_bytes() +
            log_.capacity() * sizeof(LoggedContact) + ghost_records_.capacity() * sizeof(GhostRecord);
   }
   /// The messages for a neighbor, by the number of the domain.
@@ -99,13 +99,13 @@ class Domain {
   /// in the order of slots.
   template <class Visit>
   void take_changed(Visit&& visit) {
-    residents_.take_changes(visit);
+    ownership_.take_changes(visit);
   }
   /// Calls visit(slot) for every own sphere.
   template <class Visit>
   void for_each_own(Visit&& visit) const {
     for (Slot slot = 0; slot < world().size(); ++slot) {
-      if (residents_.is_own(slot)) visit(slot);
+      if (ownership_.is_own(slot)) visit(slot);
     }
   }
   /// How many contacts count in this window: collisions, and contacts with walls.
@@ -143,7 +143,7 @@ class Domain {
   double verify(std::span<const Outbox* const> inboxes, double until);
   /// A time before which the window is right with respect to spheres that may be wrong both here and in a
   /// neighbor. Precondition: all have verified.
-  double doubtful_since(std::span<const Outbox* const> inboxes) const;
+  double in_conflict_since(std::span<const Outbox* const> inboxes) const;
 
   /// Checks the owner and the holders of each own sphere; throws BrokenInvariant. Precondition: no window is
   /// under way. Cost: O(n).
@@ -161,7 +161,7 @@ class Domain {
 
   /// Rebuilds the engine where spheres do not fit it. Precondition: no window is under way.
   void make_ready() {
-    if (engine_.is_outdated()) engine_.rebuild_in_place(begin_, phase_);
+    if (engine_.needs_rebuild()) engine_.rebuild_in_place(begin_, phase_);
   }
 
   /// Changes the velocities of spheres that it holds, at `moment`. Precondition: no window is under way; all
@@ -176,10 +176,10 @@ class Domain {
   void add(const SphereState& sphere, DomainNumber owner, const Time& moment);
   /// The last passage of all domains; see World::last_passage.
   void set_last_passage(const Event& passage) {
-    if (world().last_passage() < passage) engine_.world_to_edit().note_passage(passage);
+    if (world().last_passage() < passage) engine_.mutable_world().note_passage(passage);
   }
 
-  /// Watches the frontier anew, up to a time. Cost: O(n).
+  /// Watches the boundary anew, up to a time. Cost: O(n).
   void watch(double horizon);
 
  private:
@@ -188,9 +188,9 @@ class Domain {
     Domain& domain;
     void operator()(const Contact& contact) const { domain.note(contact); }
     void prefetch(Slot slot) const {
-      if (!domain.residents_.is_shared(slot)) return;
-      domain.residents_.prefetch(slot);
-      domain.frontier_.prefetch_alarm(slot);
+      if (!domain.ownership_.is_shared(slot)) return;
+      domain.ownership_.prefetch(slot);
+      domain.boundary_.prefetch_wakeup(slot);
     }
   };
 
@@ -205,8 +205,8 @@ class Domain {
   HARDBALL_ALWAYS_INLINE void note(const Contact& contact) {
     const Participants& participants = engine_.participants();
     const bool is_collision = contact.is_collision();
-    const bool owns_first = residents_.is_own(participants.first);
-    const bool owns_second = is_collision && residents_.is_own(participants.second);
+    const bool owns_first = ownership_.is_own(participants.first);
+    const bool owns_second = is_collision && ownership_.is_own(participants.second);
     if (owns_first) {
       if (is_summed_) sums_.note(contact);
       ++(is_collision ? counted_.collision : counted_.wall);
@@ -239,10 +239,10 @@ class Domain {
   HARDBALL_ALWAYS_INLINE void note_own(Slot slot, SphereId id, const Vec3& position, const Vec3& before,
                                        const Vec3& after, const Time& since, const Contact& contact,
                                        Slot partner) {
-    residents_.note_change(slot);
-    const NeighborSet holders = residents_.holders(slot);
+    ownership_.note_change(slot);
+    const NeighborSet holders = ownership_.holders(slot);
     const double now = contact.time.high;
-    if (holders == 0 && frontier_.is_interior(position, largest_component(before), since.high,
+    if (holders == 0 && boundary_.is_interior(position, largest_component(before), since.high,
                                               largest_component(after), now)) [[likely]]
       return;
     note_near_frontier(slot, id, {since.high, now, position, before}, after, contact, partner);
@@ -253,7 +253,7 @@ class Domain {
 
   // The number of the neighbor that owns a ghost.
   std::size_t owner_of(Slot slot) const {
-    return residents_.is_own(slot) ? outboxes_.size() : residents_.ghost(residents_.ghost_number(slot)).owner;
+    return ownership_.is_own(slot) ? outboxes_.size() : ownership_.ghost(ownership_.ghost_number(slot)).owner;
   }
 
   // `partner` is where the other sphere is stored, itself at a wall.
@@ -265,34 +265,34 @@ class Domain {
   // Where a sphere is at a moment, inside the box.
   State folded_state(Slot slot, const Time& moment) const;
 
-  // The alarm that an own sphere needs from a moment on.
-  Frontier::Alarm alarm_of(Slot slot, const State& state, const Frontier::Distances& place,
-                           const Time& moment) const;
-  Frontier::Alarm alarm_since(Slot slot, const Time& moment) const;
-  void set_alarm(Slot slot) { frontier_.set_alarm(alarm_since(slot, later(begin_, engine_.now()))); }
+  // The wakeup that an own sphere needs from a moment on.
+  BoundaryWatch::Wakeup wakeup_of(Slot slot, const State& state, const BoundaryWatch::Distances& place,
+                                  const Time& moment) const;
+  BoundaryWatch::Wakeup wakeup_since(Slot slot, const Time& moment) const;
+  void set_wakeup(Slot slot) { boundary_.set_wakeup(wakeup_since(slot, later(begin_, engine_.now()))); }
 
-  // The last legs of spheres whose owner or holders may change in the window. Others whose alarm is due are
+  // The last legs of spheres whose owner or holders may change in the window. Others whose wakeup is due are
   // on another path than that for which it was set, and get another.
   void end_legs(double until);
 
-  // Calls visit(alarm) for those up to a time, where own spheres are stored.
+  // Calls visit(wakeup) for those up to a time, where own spheres are stored.
   template <class Visit>
-  void take_alarms(double until, Visit&& visit) {
+  void take_wakeups(double until, Visit&& visit) {
     constexpr std::size_t kAhead = 8;
     const std::size_t first = taken_.size();
-    frontier_.take_alarms(until, taken_);
+    boundary_.take_wakeups(until, taken_);
     for (std::size_t k = first; k < std::min(first + kAhead, taken_.size()); ++k) prefetch(taken_[k].slot);
     for (std::size_t k = first; k < taken_.size(); ++k) {
       if (k + kAhead < taken_.size()) prefetch(taken_[k + kAhead].slot);
-      const Frontier::Alarm& alarm = taken_[k];
-      if (alarm.slot < world().size() && residents_.is_own(alarm.slot)) visit(alarm);
+      const BoundaryWatch::Wakeup& wakeup = taken_[k];
+      if (wakeup.slot < world().size() && ownership_.is_own(wakeup.slot)) visit(wakeup);
     }
   }
 
   // The slot need not be in use.
   void prefetch(Slot slot) const {
     world().prefetch(slot);
-    residents_.prefetch(slot);
+    ownership_.prefetch(slot);
   }
 
   // Decides which domains own and hold an own sphere.
@@ -303,9 +303,9 @@ class Domain {
   void correct();
 
   DomainNumber number_;
-  Frontier frontier_;
+  BoundaryWatch boundary_;
   PhaseSettings phase_;
-  Residents residents_;
+  OwnershipMap ownership_;
   std::vector<Outbox> outboxes_;  // by neighbor
   Time begin_;                    // of the window
   Engine engine_;
@@ -321,8 +321,8 @@ class Domain {
   bool is_summed_ = true;
   std::vector<LoggedContact> log_;
   std::vector<GhostRecord> ghost_records_;
-  std::vector<Frontier::Alarm> taken_;  // alarms
-  std::vector<Slot> touched_;           // own spheres whose owner or holders may change
+  std::vector<BoundaryWatch::Wakeup> taken_;  // wakeups
+  std::vector<Slot> touched_;                 // own spheres whose owner or holders may change
   std::vector<NewPath> corrected_;
   std::vector<SphereState> arriving_;
 };

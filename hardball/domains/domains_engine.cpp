@@ -19,11 +19,11 @@ namespace hardball {
 namespace {
 
 // Makes `count` domains of a layout, from number `first` on. `world` has the spheres as they
-// are at `now`, at least all that these domains own or hold; `aftermath` is theirs.
+// are at `now`, at least all that these domains own or hold; `post_contact_state` is theirs.
 std::vector<std::unique_ptr<Domain>> make_domains(const Layout& layout, DomainNumber first, std::size_t count,
                                                   const World& world, const Time& now,
-                                                  const Aftermath& aftermath, const PhaseSettings& phase,
-                                                  const ForEach& for_each) {
+                                                  const PostContactState& post_contact_state,
+                                                  const PhaseSettings& phase, const ForEach& for_each) {
   std::vector<DomainNumber> owners;
   owners.reserve(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot)
@@ -32,7 +32,7 @@ std::vector<std::unique_ptr<Domain>> make_domains(const Layout& layout, DomainNu
   for_each_or_throw(for_each, count, [&](std::size_t k) {
     domains[k] = std::make_unique<Domain>(world, owners, now, layout.partition(),
                                           static_cast<DomainNumber>(first + k), layout.halo(), phase);
-    domains[k]->take_over(aftermath);
+    domains[k]->take_over(post_contact_state);
   });
   return domains;
 }
@@ -63,7 +63,7 @@ DomainsEngine::DomainsEngine(World world, const PhaseSettings& phase, const Divi
   divide(now);
 }
 
-DomainsEngine::DomainsEngine(World empty, Travelers brought, const PhaseSettings& phase,
+DomainsEngine::DomainsEngine(World empty, SphereTransfers brought, const PhaseSettings& phase,
                              const Division& division, const Time& now, Processes& processes)
     : processes_(&processes),
       phase_(phase),
@@ -84,11 +84,11 @@ DomainsEngine::DomainsEngine(const DomainsEngine& other)
       world_(other.world_),
       team_(std::make_unique<ThreadTeam>(other.team_->size())),
       layout_(other.layout_),
-      cluster_(std::make_unique<Cluster>(*other.cluster_, team_->as_function())),
+      group_(std::make_unique<DomainGroup>(*other.group_, team_->as_function())),
       counters_(other.counters_),
       windows_before_(other.windows_before_),
-      aftermath_(other.aftermath_),
-      is_outdated_(other.is_outdated_),
+      post_contact_(other.post_contact_),
+      needs_rebuild_(other.needs_rebuild_),
       looks_ahead_(other.looks_ahead_),
       before_look_ahead_(other.before_look_ahead_) {
   HARDBALL_CHECK(!other.is_open_);
@@ -97,7 +97,7 @@ DomainsEngine::DomainsEngine(const DomainsEngine& other)
 
 void DomainsEngine::divide(const Time& now) {
   layout_.lay_out(world_.box(), SystemSize::of(world_, now), centers(now));
-  occupy(world_, aftermath_, now);
+  occupy(world_, post_contact_, now);
 }
 
 std::vector<Vec3> DomainsEngine::centers(const Time& now) const {
@@ -108,48 +108,49 @@ std::vector<Vec3> DomainsEngine::centers(const Time& now) const {
 }
 
 // Makes the domains of the layout that are in this process.
-void DomainsEngine::occupy(const World& world, const Aftermath& aftermath, const Time& now) {
+void DomainsEngine::occupy(const World& world, const PostContactState& post_contact_state, const Time& now) {
   const DomainsOfProcess domains = domains_of_process();
   const auto first = static_cast<DomainNumber>(processes_->rank() * domains.each);
-  cluster_ = std::make_unique<Cluster>(
-      make_domains(layout_, first, domains.each, world, now, aftermath, phase_, team_->as_function()), now,
-      layout_.windows(), team_->as_function(), Exchange(*processes_, domains));
-  is_outdated_ = false;
+  group_ = std::make_unique<DomainGroup>(make_domains(layout_, first, domains.each, world, now,
+                                                      post_contact_state, phase_, team_->as_function()),
+                                         now, layout_.windows(), team_->as_function(),
+                                         Exchange(*processes_, domains));
+  needs_rebuild_ = false;
   gathering_->is_done = holds_all_;
 }
 
-void DomainsEngine::lay_out(const Travelers& brought, const Time& now) {
+void DomainsEngine::lay_out(const SphereTransfers& brought, const Time& now) {
   const SystemSize size = size_of(brought, now);
   spheres_ = size.spheres;
   layout_.lay_out(world_.box(), size, sample_centers(brought, now));
 }
 
-void DomainsEngine::occupy(Travelers brought, const Time& now) {
+void DomainsEngine::occupy(SphereTransfers brought, const Time& now) {
   const DomainsOfProcess domains = domains_of_process();
   World world = world_.without_spheres();
-  Aftermath aftermath;
-  const auto send_to_owner = [&](const Traveler& traveler, const auto& send_to) {
-    send_to(domains.process_of(partition().domain_at(position_of(traveler, now))));
+  PostContactState post_contact_state;
+  const auto send_to_owner = [&](const SphereTransfer& transfer, const auto& send_to) {
+    send_to(domains.process_of(partition().domain_at(position_of(transfer, now))));
   };
-  insert(sent(std::move(brought), *processes_, send_to_owner), world, [&](const Traveler& traveler) {
-    aftermath.collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
+  insert(sent(std::move(brought), *processes_, send_to_owner), world, [&](const SphereTransfer& transfer) {
+    post_contact_state.collapse.set_idle_contacts(transfer.state.id, transfer.idle_contacts);
   });
-  insert(near_others(world, now), world, [](const Traveler&) {});
+  insert(near_others(world, now), world, [](const SphereTransfer&) {});
   world.reorder(order_along_curve(world, now));
-  occupy(world, aftermath, now);
+  occupy(world, post_contact_state, now);
 }
 
-Vec3 DomainsEngine::position_of(const Traveler& traveler, const Time& now) const {
-  Vec3 position = world_.motion().position_at(traveler.state.path, now);
+Vec3 DomainsEngine::position_of(const SphereTransfer& transfer, const Time& now) const {
+  Vec3 position = world_.motion().position_at(transfer.state.path, now);
   world_.box().fold(position);
   return position;
 }
 
-SystemSize DomainsEngine::size_of(const Travelers& brought, const Time& now) const {
+SystemSize DomainsEngine::size_of(const SphereTransfers& brought, const Time& now) const {
   const double growth = world_.motion().growth().largest_scale() * world_.room_to_grow();
   SystemSize own;
-  brought.for_each([&](const Traveler& traveler) {
-    own.note(length(world_.motion().velocity_at(traveler.state.path, now)), growth * traveler.state.radius);
+  brought.for_each([&](const SphereTransfer& transfer) {
+    own.note(length(world_.motion().velocity_at(transfer.state.path, now)), growth * transfer.state.radius);
   });
   SystemSize all;
   for (const SystemSize& other : processes_->gather(own)) all.add(other);
@@ -157,12 +158,12 @@ SystemSize DomainsEngine::size_of(const Travelers& brought, const Time& now) con
 }
 
 // Enough centers to divide the whole evenly.
-std::vector<Vec3> DomainsEngine::sample_centers(const Travelers& brought, const Time& now) const {
+std::vector<Vec3> DomainsEngine::sample_centers(const SphereTransfers& brought, const Time& now) const {
   constexpr std::uint64_t kSample = 1 << 18;
   const std::uint64_t every = spheres_ / kSample + 1;
   std::vector<Vec3> own;
-  brought.for_each([&](const Traveler& traveler) {
-    if (traveler.state.id % every == 0) own.push_back(position_of(traveler, now));
+  brought.for_each([&](const SphereTransfer& transfer) {
+    if (transfer.state.id % every == 0) own.push_back(position_of(transfer, now));
   });
   std::vector<Vec3> centers;
   for (const std::string& part : processes_->gather(bytes_of(own))) append_bytes(part, centers);
@@ -170,7 +171,7 @@ std::vector<Vec3> DomainsEngine::sample_centers(const Travelers& brought, const 
 }
 
 // What others must know of these spheres here: copies of those near domains in other processes are exchanged.
-Travelers DomainsEngine::near_others(const World& own, const Time& now) const {
+SphereTransfers DomainsEngine::near_others(const World& own, const Time& now) const {
   const DomainsOfProcess domains = domains_of_process();
   std::vector<std::vector<DomainNumber>> neighbors;
   for (std::size_t k = 0; k < domains.each; ++k) {
@@ -186,18 +187,18 @@ Travelers DomainsEngine::near_others(const World& own, const Time& now) const {
       if (partition().block(near).distance(position) <= layout_.halo().depth) processes.push_back(process);
     }
   };
-  Travelers wanted;
+  SphereTransfers wanted;
   for (Slot slot = 0; slot < own.size(); ++slot) {
     find_processes_near(own.position(slot, now));
     if (!processes.empty()) wanted.push_back({own.state_of(slot)});
   }
-  return sent(std::move(wanted), *processes_, [&](const Traveler& traveler, const auto& send_to) {
-    find_processes_near(position_of(traveler, now));
+  return sent(std::move(wanted), *processes_, [&](const SphereTransfer& transfer, const auto& send_to) {
+    find_processes_near(position_of(transfer, now));
     std::ranges::for_each(processes, send_to);
   });
 }
 
-World& DomainsEngine::world_to_edit() {
+World& DomainsEngine::mutable_world() {
   settle();
   outdate();
   return world_;
@@ -205,17 +206,17 @@ World& DomainsEngine::world_to_edit() {
 
 Counters DomainsEngine::counters() const {
   Counters own;
-  for (std::size_t k = 0; k < cluster_->size(); ++k) own = own + cluster_->domain(k).engine().counters();
+  for (std::size_t k = 0; k < group_->size(); ++k) own = own + group_->domain(k).engine().counters();
   Counters all;
   for (const Counters& each : processes_->gather(own)) all = all + each;
-  all.collision = cluster_->counted().collision + open_counts_.collision;
-  all.wall = cluster_->counted().wall + open_counts_.wall;
+  all.collision = group_->counted().collision + open_counts_.collision;
+  all.wall = group_->counted().wall + open_counts_.wall;
   return counters_ + all;
 }
 
 std::size_t DomainsEngine::memory_bytes() const {
   std::size_t own = world_.memory_bytes();
-  for (std::size_t k = 0; k < cluster_->size(); ++k) own += cluster_->domain(k).memory_bytes();
+  for (std::size_t k = 0; k < group_->size(); ++k) own += group_->domain(k).memory_bytes();
   std::size_t all = 0;
   for (const std::size_t each : processes_->gather(own)) all += each;
   return all;
@@ -227,14 +228,14 @@ std::vector<Block> DomainsEngine::blocks() const {
 }
 
 GasStatistics DomainsEngine::statistics(const Time& moment) const {
-  if (is_outdated_) return gas_statistics(world_, moment);
+  if (needs_rebuild_) return gas_statistics(world_, moment);
   if (!fills_box(world_)) {
     GasStatistics statistics = gas_statistics(sample(), moment);
     statistics.spheres = size();
     return statistics;
   }
-  std::vector<GasSums> parts(cluster_->size());
-  cluster_->each([&](const Domain& domain, std::size_t k) {
+  std::vector<GasSums> parts(group_->size());
+  group_->each([&](const Domain& domain, std::size_t k) {
     domain.for_each_own([&](Slot slot) { parts[k].note(domain.world(), slot, moment); });
   });
   GasSums own;
@@ -252,8 +253,8 @@ Totals DomainsEngine::totals(const Time& moment) const {
 Audit DomainsEngine::audit(const Time& moment) const {
   if (holds_all_) return hardball::audit(world(), moment);
   std::vector<Audit> found;
-  for (std::size_t k = 0; k < cluster_->size(); ++k)
-    found.push_back(hardball::audit(cluster_->domain(k).world(), moment));
+  for (std::size_t k = 0; k < group_->size(); ++k)
+    found.push_back(hardball::audit(group_->domain(k).world(), moment));
   std::vector<Audit> all;
   for (const std::string& part : processes_->gather(bytes_of(found))) append_bytes(part, all);
   Audit worst;
@@ -273,31 +274,31 @@ Audit DomainsEngine::audit(const Time& moment) const {
 }
 
 const Event& DomainsEngine::last_passage() const {
-  return is_outdated_ || is_open_ ? world_.last_passage() : cluster_->domain(0).world().last_passage();
+  return needs_rebuild_ || is_open_ ? world_.last_passage() : group_->domain(0).world().last_passage();
 }
 
 bool DomainsEngine::has_spins() const {
   bool has_spins = world_.has_spins();
-  for (std::size_t k = 0; k < cluster_->size(); ++k) has_spins |= cluster_->domain(k).world().has_spins();
+  for (std::size_t k = 0; k < group_->size(); ++k) has_spins |= group_->domain(k).world().has_spins();
   return has_spins;
 }
 
 void DomainsEngine::for_each_sphere(const Function<void(const World&, Slot)>& visit) const {
-  if (is_outdated_ || is_open_) {
+  if (needs_rebuild_ || is_open_) {
     for (Slot slot = 0; slot < world_.size(); ++slot) {
       if (world_.id(slot) % processes_->size() == processes_->rank()) visit(world_, slot);
     }
     return;
   }
-  for (std::size_t k = 0; k < cluster_->size(); ++k) {
-    const Domain& domain = cluster_->domain(k);
+  for (std::size_t k = 0; k < group_->size(); ++k) {
+    const Domain& domain = group_->domain(k);
     domain.for_each_own([&](Slot slot) { visit(domain.world(), slot); });
   }
 }
 
 const World& DomainsEngine::sample() const {
   if (holds_all_) return world();
-  const Travelers own = own_travelers();
+  const SphereTransfers own = own_transfers();
   sample_ = sample_of(*processes_, world_, own, size());
   return sample_;
 }
@@ -311,21 +312,21 @@ RunStatus DomainsEngine::run(const RunLimits& limits, ContactSums& sums, const C
   const ThreadTeam::Pinned pinned(*team_);
   keep_for_rewind();
   if (observer.needs_world()) return run_windows(limits, sums, observer);
-  cluster_->clear_sums(sums);
+  group_->clear_sums(sums);
   try {
     const RunStatus status = run_windows(limits, sums, observer);
     add_sums_to(sums);
     return status;
   } catch (...) {
-    if (cluster_) add_sums_to(sums);  // otherwise it has failed to divide the system anew
+    if (group_) add_sums_to(sums);  // otherwise it has failed to divide the system anew
     throw;
   }
 }
 
 std::optional<Event> DomainsEngine::next_contact(const Time& until) {
   const ThreadTeam::Pinned pinned(*team_);
-  if (!std::isfinite(until.high) && !cluster_->has_events()) return std::nullopt;
-  const Event next = cluster_->next_contact(within_range(until).high);
+  if (!std::isfinite(until.high) && !group_->has_events()) return std::nullopt;
+  const Event next = group_->next_contact(within_range(until).high);
   return next.happens() ? std::optional(next) : std::nullopt;
 }
 
@@ -334,8 +335,8 @@ void DomainsEngine::change_velocities(const Time& moment, std::span<const NewVel
   gather();
   keep_for_rewind();
   for (const NewVelocity& change : changes) world_.change_velocity(change.slot, moment, change.after);
-  if (is_outdated_) return;
-  cluster_->each([&](Domain& domain, std::size_t) {
+  if (needs_rebuild_) return;
+  group_->each([&](Domain& domain, std::size_t) {
     for (const NewVelocity& change : changes)
       domain.change_velocity(world_.id(change.slot), change.after, moment);
   });
@@ -353,10 +354,10 @@ SphereId DomainsEngine::add(const Sphere& sphere, const Time& moment) {
     throw;
   }
   if (2 * sphere.radius > layout_.halo().contact) outdate();
-  if (is_outdated_) return id;
+  if (needs_rebuild_) return id;
   const SphereState state = world_.state_of(slot);
   const DomainNumber owner = partition().domain_at(state.path.position);
-  cluster_->each([&](Domain& domain, std::size_t) {
+  group_->each([&](Domain& domain, std::size_t) {
     domain.add(state, owner, moment);
     domain.make_ready();
   });
@@ -367,8 +368,8 @@ void DomainsEngine::remove(SphereId id, const Time& moment) {
   settle();
   gather();
   world_.remove(id, moment);
-  if (is_outdated_) return;
-  cluster_->each([&](Domain& domain, std::size_t) { domain.remove(id, moment); });
+  if (needs_rebuild_) return;
+  group_->each([&](Domain& domain, std::size_t) { domain.remove(id, moment); });
 }
 
 void DomainsEngine::rebuild(const Time& now, const PhaseSettings& settings) {
@@ -378,14 +379,14 @@ void DomainsEngine::rebuild(const Time& now, const PhaseSettings& settings) {
     put_in_order(world_, now);
     return divide(now);
   }
-  Travelers own = own_travelers();
+  SphereTransfers own = own_transfers();
   end_division();
   lay_out(own, now);
   occupy(std::move(own), now);
 }
 
 void DomainsEngine::begin_journal(const Time& moment) {
-  HARDBALL_CHECK(is_outdated_ || moment >= now());
+  HARDBALL_CHECK(needs_rebuild_ || moment >= now());
   looks_ahead_ = true;
   before_look_ahead_.reset();
 }
@@ -397,22 +398,22 @@ void DomainsEngine::end_journal() {
 
 // Since then, nothing but crossings has happened.
 void DomainsEngine::rewind(const Time& moment) {
-  if (!is_outdated_ && now() > moment) outdate();
+  if (!needs_rebuild_ && now() > moment) outdate();
 }
 
 void DomainsEngine::rewind_to_begin() {
   outdate();
   if (!before_look_ahead_) return;
   world_ = before_look_ahead_->world;
-  aftermath_ = before_look_ahead_->aftermath;
+  post_contact_ = before_look_ahead_->post_contact_state;
   const Counters done = counters() - before_look_ahead_->counters;
   counters_.collision -= done.collision;
   counters_.wall -= done.wall;
 }
 
-Aftermath DomainsEngine::aftermath() const {
-  if (is_outdated_) return aftermath_;
-  Aftermath all;
+PostContactState DomainsEngine::post_contact_state() const {
+  if (needs_rebuild_) return post_contact_;
+  PostContactState all;
   for (const std::string& part : processes_->gather(archived(own_counts()))) {
     CollapseGuard of_process;
     restore(part, "the counts of a process", of_process);
@@ -421,21 +422,21 @@ Aftermath DomainsEngine::aftermath() const {
   return all;
 }
 
-void DomainsEngine::take_over(const Aftermath& aftermath) {
-  for (std::size_t k = 0; k < cluster_->size(); ++k) cluster_->domain(k).take_over(aftermath);
+void DomainsEngine::take_over(const PostContactState& post_contact_state) {
+  for (std::size_t k = 0; k < group_->size(); ++k) group_->domain(k).take_over(post_contact_state);
 }
 
 void DomainsEngine::validate() const {
-  if (is_outdated_) return;
-  for (std::size_t k = 0; k < cluster_->size(); ++k) {
-    cluster_->domain(k).engine().validate();
-    if (!is_open_) cluster_->domain(k).validate();
+  if (needs_rebuild_) return;
+  for (std::size_t k = 0; k < group_->size(); ++k) {
+    group_->domain(k).engine().validate();
+    if (!is_open_) group_->domain(k).validate();
   }
 }
 
-Travelers DomainsEngine::own_travelers() const {
+SphereTransfers DomainsEngine::own_transfers() const {
   const CollapseGuard counts = own_counts();
-  Travelers own;
+  SphereTransfers own;
   for_each_sphere([&](const World& world, Slot slot) {
     own.push_back({world.state_of(slot), counts.idle_contacts(world.id(slot))});
   });
@@ -444,19 +445,18 @@ Travelers DomainsEngine::own_travelers() const {
 
 // Of the spheres of this process.
 CollapseGuard DomainsEngine::own_counts() const {
-  if (is_outdated_) return aftermath_.collapse;
+  if (needs_rebuild_) return post_contact_.collapse;
   CollapseGuard own;
-  for (std::size_t k = 0; k < cluster_->size(); ++k)
-    own.take_over(cluster_->domain(k).engine().collapse_guard());
+  for (std::size_t k = 0; k < group_->size(); ++k) own.take_over(group_->domain(k).engine().collapse_guard());
   return own;
 }
 
 // From here on the world is the truth, until everything is rebuilt.
 void DomainsEngine::outdate() {
-  if (is_outdated_) return;
+  if (needs_rebuild_) return;
   gather();
-  aftermath_ = aftermath();
-  is_outdated_ = true;
+  post_contact_ = post_contact_state();
+  needs_rebuild_ = true;
 }
 
 // Keeps what the domains have been doing, as others follow.
@@ -467,23 +467,24 @@ void DomainsEngine::end_division() {
   counters_ = work;
   ++counters_.rebuilds;
   if (holds_all_) return;
-  world_.note_passage(cluster_->domain(0).world().last_passage());
-  cluster_.reset();  // so that there is memory for others
+  world_.note_passage(group_->domain(0).world().last_passage());
+  group_.reset();  // so that there is memory for others
 }
 
 // What is there before anything happens in a look ahead.
 void DomainsEngine::keep_for_rewind() {
-  if (looks_ahead_ && !before_look_ahead_) before_look_ahead_ = LookAhead{world(), aftermath(), counters()};
+  if (looks_ahead_ && !before_look_ahead_)
+    before_look_ahead_ = LookAhead{world(), post_contact_state(), counters()};
 }
 
 // Brings the world up to date; several const queries may need it at once.
 void DomainsEngine::gather() const {
   if (is_telling_)
     throw Error("contacts are logged when later ones have happened", "observe", "use on_contact");
-  if (gathering_->is_done.load(std::memory_order_acquire) || is_open_ || is_outdated_) return;
+  if (gathering_->is_done.load(std::memory_order_acquire) || is_open_ || needs_rebuild_) return;
   const std::scoped_lock lock(gathering_->mutex);
   if (gathering_->is_done) return;
-  const Time now = cluster_->now();
+  const Time now = group_->now();
   if (!holds_all_) {
     gather_all();
   } else if (is_alone()) {
@@ -497,7 +498,7 @@ void DomainsEngine::gather() const {
       gather_changed_elsewhere(of_process, now);
     }
   }
-  world_.note_passage(cluster_->domain(0).world().last_passage());
+  world_.note_passage(group_->domain(0).world().last_passage());
   gathering_->is_done = true;
 }
 
@@ -513,11 +514,11 @@ void DomainsEngine::gather_changed_here(const Time& now) const {
       ahead = *slot - from;
     });
   };
-  for (std::size_t k = 0; k < cluster_->size(); ++k) have_spun |= cluster_->domain(k).world().has_spins();
+  for (std::size_t k = 0; k < group_->size(); ++k) have_spun |= group_->domain(k).world().has_spins();
   if (have_spun && !world_.has_spins()) {
-    for (std::size_t k = 0; k < cluster_->size(); ++k) bring(cluster_->domain(k), k);
+    for (std::size_t k = 0; k < group_->size(); ++k) bring(group_->domain(k), k);
   } else {
-    cluster_->each(bring);
+    group_->each(bring);
   }
 }
 
@@ -530,13 +531,13 @@ void DomainsEngine::gather_changed_elsewhere(const std::vector<SphereState>& cha
 
 // In the order of ids, so that worlds are the same in all processes.
 void DomainsEngine::gather_all() const {
-  Travelers all = sent(own_travelers(), *processes_, [&](const Traveler&, const auto& send_to) {
+  SphereTransfers all = sent(own_transfers(), *processes_, [&](const SphereTransfer&, const auto& send_to) {
     for (std::size_t rank = 0; rank < processes_->size(); ++rank) send_to(rank);
   });
   std::vector<SphereState> states;
   states.reserve(all.size());
   while (!all.empty()) {
-    for (const Traveler& traveler : all.take_some()) states.push_back(traveler.state);
+    for (const SphereTransfer& transfer : all.take_some()) states.push_back(transfer.state);
   }
   std::ranges::sort(states, {}, &SphereState::id);
   world_.insert_all(states.size(), [&](std::size_t k) { return states[k]; });
@@ -547,17 +548,17 @@ void DomainsEngine::gather_all() const {
 // Calls visit(world, slot) for each sphere of this process that has changed since the last call.
 template <class Visit>
 void DomainsEngine::take_changed(Visit&& visit) const {
-  for (std::size_t k = 0; k < cluster_->size(); ++k) {
-    Domain& domain = cluster_->domain(k);
+  for (std::size_t k = 0; k < group_->size(); ++k) {
+    Domain& domain = group_->domain(k);
     domain.take_changed([&](Slot slot) { visit(domain.world(), slot); });
   }
 }
 
 // Adds what the domains of all processes have added up.
 void DomainsEngine::add_sums_to(ContactSums& sums) const {
-  if (is_alone()) return cluster_->add_sums_to(sums);
+  if (is_alone()) return group_->add_sums_to(sums);
   ContactSums own = sums.part();
-  cluster_->add_sums_to(own);
+  group_->add_sums_to(own);
   for (const std::string& part : processes_->gather(archived(own.hash, own.tally))) {
     ContactSums of_process;
     restore(part, "the sums of a process", of_process.hash, of_process.tally);
@@ -570,30 +571,30 @@ RunStatus DomainsEngine::run_windows(const RunLimits& limits, ContactSums& sums,
   std::uint64_t contacts = limits.contacts;
   std::uint64_t steps = limits.steps;
   while (contacts > 0) {
-    if (is_outdated_) return RunStatus::outdated;
+    if (needs_rebuild_) return RunStatus::outdated;
     if (steps == 0) return RunStatus::steps_reached;
     const bool has_end = std::isfinite(limits.until.high);
-    if (!has_end && !cluster_->has_events()) return RunStatus::time_reached;
+    if (!has_end && !group_->has_events()) return RunStatus::time_reached;
     const double end = within_range(limits.until).high;
-    const std::uint64_t contacts_before = cluster_->counted().contacts();
+    const std::uint64_t contacts_before = group_->counted().contacts();
     const std::uint64_t steps_before = steps_so_far();
     const bool continues = run_window(end, contacts, sums, observer);
-    contacts -= cluster_->counted().contacts() - contacts_before;
+    contacts -= group_->counted().contacts() - contacts_before;
     steps -= std::min(steps, steps_so_far() - steps_before + 1);
     if (!continues) return RunStatus::observer_stopped;
-    if (!is_outdated_ && cluster_->committed() == end && cluster_->is_complete())
+    if (!needs_rebuild_ && group_->committed() == end && group_->is_complete())
       return RunStatus::time_reached;
-    if (!is_outdated_) review_division(sums, !observer.needs_world());
+    if (!needs_rebuild_) review_division(sums, !observer.needs_world());
   }
   return RunStatus::contacts_reached;
 }
 
 // Those that all processes know of without messages.
 std::uint64_t DomainsEngine::steps_so_far() const {
-  std::uint64_t steps = cluster_->counted().contacts();
+  std::uint64_t steps = group_->counted().contacts();
   if (!is_alone()) return steps;
-  for (std::size_t k = 0; k < cluster_->size(); ++k) {
-    const Counters counters = cluster_->domain(k).engine().counters();
+  for (std::size_t k = 0; k < group_->size(); ++k) {
+    const Counters counters = group_->domain(k).engine().counters();
     steps += counters.enter + counters.stale;
   }
   return steps;
@@ -604,12 +605,12 @@ bool DomainsEngine::run_window(double end, std::uint64_t most, ContactSums& sums
                                const ContactObserver& observer) {
   if (observer.needs_world()) {
     gather();
-    cluster_->open_window(end, most, {.log = true, .sums = false});
+    group_->open_window(end, most, {.log = true, .sums = false});
     return deliver(sums, observer);
   }
-  cluster_->open_window(end, most, {.log = static_cast<bool>(observer)});
+  group_->open_window(end, most, {.log = static_cast<bool>(observer)});
   const std::exception_ptr failure = observer ? tell(observer) : nullptr;
-  cluster_->commit_window();
+  group_->commit_window();
   gathering_->is_done = false;
   if (failure) std::rethrow_exception(failure);
   return true;
@@ -618,7 +619,7 @@ bool DomainsEngine::run_window(double end, std::uint64_t most, ContactSums& sums
 // Calls the observer with the contacts of the open window, without the world. Returns what it has thrown.
 std::exception_ptr DomainsEngine::tell(const ContactObserver& observer) {
   std::exception_ptr failure;
-  MergedLog log = cluster_->merged_log();
+  MergedLog log = group_->merged_log();
   is_telling_ = true;
   try {
     while (const Contact* contact = log.next()) observer.note(*contact);
@@ -631,7 +632,7 @@ std::exception_ptr DomainsEngine::tell(const ContactObserver& observer) {
 
 // Calls the observer with the contacts of the open window, and with the world as it is after each.
 bool DomainsEngine::deliver(ContactSums& sums, const ContactObserver& observer) {
-  MergedLog log = cluster_->merged_log();
+  MergedLog log = group_->merged_log();
   is_open_ = true;
   taken_ = 0;
   while (const Contact* logged = log.next()) {
@@ -648,9 +649,9 @@ bool DomainsEngine::deliver(ContactSums& sums, const ContactObserver& observer) 
     if (!continues) settle();
     if (!is_open_) return continues;
   }
-  HARDBALL_CHECK(open_counts_.contacts() == cluster_->open_contacts());
+  HARDBALL_CHECK(open_counts_.contacts() == group_->open_contacts());
   close();
-  cluster_->commit_window();
+  group_->commit_window();
   return true;
 }
 
@@ -666,7 +667,7 @@ void DomainsEngine::apply(const Contact& contact) {
 void DomainsEngine::settle() {
   if (!is_open_) return;
   close();
-  cluster_->cut_window(taken_);
+  group_->cut_window(taken_);
 }
 
 void DomainsEngine::close() {
@@ -676,23 +677,23 @@ void DomainsEngine::close() {
 
 // Divides the system anew if that pays. The domains may have added up contacts.
 void DomainsEngine::review_division(ContactSums& sums, bool have_sums) {
-  if (!layout_.is_review_due(cluster_->window_counters().windows)) return;
-  const Load load = cluster_->load();
+  if (!layout_.is_review_due(group_->window_counters().windows)) return;
+  const Load load = group_->load();
   if (!layout_.may_improve(load, size())) return;
-  const Time now = cluster_->now();
+  const Time now = group_->now();
   const auto divide_anew = [&](auto&& occupy_it) {
     if (have_sums) add_sums_to(sums);
     end_division();
     occupy_it();
-    if (have_sums) cluster_->clear_sums(sums);
+    if (have_sums) group_->clear_sums(sums);
   };
   if (holds_all_) {
     gather();
     if (layout_.improve(load, world_.box(), SystemSize::of(world_, now), centers(now)))
-      divide_anew([&] { occupy(world_, aftermath_, now); });
+      divide_anew([&] { occupy(world_, post_contact_, now); });
     return;
   }
-  Travelers own = own_travelers();
+  SphereTransfers own = own_transfers();
   if (layout_.improve(load, world_.box(), size_of(own, now), sample_centers(own, now)))
     divide_anew([&] { occupy(std::move(own), now); });
 }

@@ -11,12 +11,12 @@
 #include <span>
 #include <vector>
 
-#include "hardball/domains/cluster.hpp"
 #include "hardball/domains/division.hpp"
+#include "hardball/domains/domain_group.hpp"
 #include "hardball/domains/layout.hpp"
+#include "hardball/domains/sphere_transfer.hpp"
 #include "hardball/domains/system_size.hpp"
 #include "hardball/domains/thread_team.hpp"
-#include "hardball/domains/traveler.hpp"
 #include "hardball/engine/engine_base.hpp"
 #include "hardball/processes/processes.hpp"
 
@@ -37,7 +37,7 @@ class DomainsEngine final : public EngineBase {
                 Processes& processes = one_process());
   /// Divides a system of which each process brings some of the spheres, wherever they are; all are brought
   /// once. `empty`: the world without spheres. Precondition and error: as for the other constructor.
-  DomainsEngine(World empty, Travelers brought, const PhaseSettings& phase, const Division& division,
+  DomainsEngine(World empty, SphereTransfers brought, const PhaseSettings& phase, const Division& division,
                 const Time& now, Processes& processes);
   DomainsEngine(const DomainsEngine& other);
   std::unique_ptr<EngineBase> clone() const override { return std::make_unique<DomainsEngine>(*this); }
@@ -46,15 +46,15 @@ class DomainsEngine final : public EngineBase {
     gather();
     return world_;
   }
-  World& world_to_edit() override;
+  World& mutable_world() override;
   const World& setting() const override { return world_; }
   std::size_t size() const override { return holds_all_ ? world_.size() : spheres_; }
-  Time now() const override { return is_open_ ? now_ : cluster_->now(); }
+  Time now() const override { return is_open_ ? now_ : group_->now(); }
   Counters counters() const override;
-  WindowCounters windows() const override { return windows_before_ + cluster_->window_counters(); }
+  WindowCounters windows() const override { return windows_before_ + group_->window_counters(); }
   std::size_t memory_bytes() const override;
   /// The lengths of the first domain.
-  PhaseLengths lengths() const override { return cluster_->domain(0).engine().lengths(); }
+  PhaseLengths lengths() const override { return group_->domain(0).engine().lengths(); }
   std::vector<Block> blocks() const override;
   GasStatistics statistics(const Time& moment) const override;
   Totals totals(const Time& moment) const override;
@@ -72,7 +72,7 @@ class DomainsEngine final : public EngineBase {
   SphereId add(const Sphere& sphere, const Time& moment) override;
   void remove(SphereId id, const Time& moment) override;
 
-  bool is_outdated() const override { return is_outdated_; }
+  bool needs_rebuild() const override { return needs_rebuild_; }
   void rebuild(const Time& now, const PhaseSettings& settings) override;
 
   void begin_journal(const Time& moment) override;
@@ -80,18 +80,18 @@ class DomainsEngine final : public EngineBase {
   void rewind(const Time& moment) override;
   void rewind_to_begin() override;
 
-  Aftermath aftermath() const override;
-  void take_over(const Aftermath& aftermath) override;
+  PostContactState post_contact_state() const override;
+  void take_over(const PostContactState& post_contact_state) override;
 
   void validate() const override;
 
   /// The spheres of this process.
-  Travelers own_travelers() const;
+  SphereTransfers own_transfers() const;
 
  private:
   struct LookAhead {
     World world;
-    Aftermath aftermath;
+    PostContactState post_contact_state;
     Counters counters;
   };
   struct Gathering {
@@ -106,14 +106,14 @@ class DomainsEngine final : public EngineBase {
   // Precondition: the world is up to date, and has all spheres.
   void divide(const Time& now);
   std::vector<Vec3> centers(const Time& now) const;
-  void occupy(const World& world, const Aftermath& aftermath, const Time& now);
+  void occupy(const World& world, const PostContactState& post_contact_state, const Time& now);
   // Lays out and occupies domains where each process brings some of the spheres.
-  void lay_out(const Travelers& brought, const Time& now);
-  void occupy(Travelers brought, const Time& now);
-  Vec3 position_of(const Traveler& traveler, const Time& now) const;
-  SystemSize size_of(const Travelers& brought, const Time& now) const;
-  std::vector<Vec3> sample_centers(const Travelers& brought, const Time& now) const;
-  Travelers near_others(const World& own, const Time& now) const;
+  void lay_out(const SphereTransfers& brought, const Time& now);
+  void occupy(SphereTransfers brought, const Time& now);
+  Vec3 position_of(const SphereTransfer& transfer, const Time& now) const;
+  SystemSize size_of(const SphereTransfers& brought, const Time& now) const;
+  std::vector<Vec3> sample_centers(const SphereTransfers& brought, const Time& now) const;
+  SphereTransfers near_others(const World& own, const Time& now) const;
 
   CollapseGuard own_counts() const;
   void outdate();
@@ -145,12 +145,12 @@ class DomainsEngine final : public EngineBase {
   mutable World sample_{Box::open()};
   std::unique_ptr<ThreadTeam> team_;
   Layout layout_;
-  std::unique_ptr<Cluster> cluster_;
+  std::unique_ptr<DomainGroup> group_;
   Counters counters_;  // of earlier divisions
   WindowCounters windows_before_;
-  Aftermath aftermath_;  // while outdated
+  PostContactState post_contact_;  // while outdated
   std::unique_ptr<Gathering> gathering_ = std::make_unique<Gathering>();
-  bool is_outdated_ = false;
+  bool needs_rebuild_ = false;
   bool is_telling_ = false;
   bool looks_ahead_ = false;
   std::optional<LookAhead> before_look_ahead_;

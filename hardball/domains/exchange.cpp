@@ -90,10 +90,10 @@ void visit_parts(Exchange::Round round, Box& box, Visit&& visit) {
   switch (round) {
     case Exchange::Round::window:
       visit(box.records);
-      visit(box.flights);
+      visit(box.near_passes);
       return;
-    case Exchange::Round::doubts:
-      visit(box.doubts);
+    case Exchange::Round::conflicts:
+      visit(box.conflicts);
       return;
     case Exchange::Round::arrivals:
       visit(box.departures);

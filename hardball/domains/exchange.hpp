@@ -28,9 +28,9 @@ class Exchange {
  public:
   /// What is sent at once: the parts of outboxes that are complete then.
   enum class Round {
-    window,   ///< Records and flights, sent when domains have run.
-    doubts,   ///< Doubts, sent when domains have verified.
-    arrivals  ///< Arrivals, departures, handovers and new owners, sent when domains have committed.
+    window,     ///< Records and near_passes, sent when domains have run.
+    conflicts,  ///< Conflicts, sent when domains have verified.
+    arrivals    ///< Arrivals, departures, handovers and new owners, sent when domains have committed.
   };
   /// A domain in this process, and its outbox to a neighbor, which stays where it is.
   struct Member {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "hardball/domains/residents.hpp"
+#include "hardball/domains/ownership_map.hpp"
 #include "hardball/errors/error.hpp"
 
 namespace hardball {

@@ -30,7 +30,7 @@ struct PathRecord {
 };
 
 /// A part of a path that leads near a block, of a sphere that the block's domain does not hold.
-struct Flight {
+struct NearPass {
   double begin = 0;     ///< When that part begins [T].
   double distance = 0;  ///< From the block then [L].
   double speed = 0;     ///< The largest component of the velocity then [L/T].
@@ -39,7 +39,7 @@ struct Flight {
 
 /// A cube that contains a sphere whose path differs in two domains, from the last change on which they agree
 /// to the end of the window.
-struct Doubt {
+struct Conflict {
   double since = 0;   ///< When the paths began to differ [T].
   Vec3 center;        ///< [L]
   double extent = 0;  ///< Half the edge of the cube [L].
@@ -67,8 +67,8 @@ struct Handover {
 /// The messages of one domain to another in a window.
 struct Outbox {
   std::vector<PathRecord> records;  ///< Own spheres that the other domain holds, in the order of time.
-  std::vector<Flight> flights;
-  std::vector<Doubt> doubts;  ///< About spheres that the other owns.
+  std::vector<NearPass> near_passes;
+  std::vector<Conflict> conflicts;  ///< About spheres that the other owns.
   std::vector<SphereId> departures;
   std::vector<Arrival> arrivals;
   std::vector<NewOwner> new_owners;
@@ -76,8 +76,8 @@ struct Outbox {
 
   void clear() {
     records.clear();
-    flights.clear();
-    doubts.clear();
+    near_passes.clear();
+    conflicts.clear();
     departures.clear();
     arrivals.clear();
     new_owners.clear();

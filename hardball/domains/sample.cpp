@@ -10,23 +10,24 @@
 
 namespace hardball {
 
-World sample_of(Processes& processes, const World& setting, const Travelers& brought, std::uint64_t spheres) {
+World sample_of(Processes& processes, const World& setting, const SphereTransfers& brought,
+                std::uint64_t spheres) {
   constexpr std::uint64_t kSample = 1 << 14;
   const std::uint64_t every = spheres / kSample + 1;
-  std::vector<Traveler> own;
-  std::optional<Traveler> smallest;
-  std::optional<Traveler> largest;
-  brought.for_each([&](const Traveler& traveler) {
-    if (traveler.state.id % every == 0) own.push_back(traveler);
-    if (!smallest || traveler.state.radius < smallest->state.radius) smallest = traveler;
-    if (!largest || traveler.state.radius > largest->state.radius) largest = traveler;
+  std::vector<SphereTransfer> own;
+  std::optional<SphereTransfer> smallest;
+  std::optional<SphereTransfer> largest;
+  brought.for_each([&](const SphereTransfer& transfer) {
+    if (transfer.state.id % every == 0) own.push_back(transfer);
+    if (!smallest || transfer.state.radius < smallest->state.radius) smallest = transfer;
+    if (!largest || transfer.state.radius > largest->state.radius) largest = transfer;
   });
   if (smallest) own.insert(own.end(), {*smallest, *largest});
-  std::vector<Traveler> all;
+  std::vector<SphereTransfer> all;
   for (const std::string& part : processes.gather(bytes_of(own))) append_bytes(part, all);
   World sample = setting.without_spheres();
-  for (const Traveler& traveler : all) {
-    if (!sample.contains(traveler.state.id)) sample.insert(traveler.state);
+  for (const SphereTransfer& transfer : all) {
+    if (!sample.contains(transfer.state.id)) sample.insert(transfer.state);
   }
   return sample;
 }

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "hardball/domains/traveler.hpp"
+#include "hardball/domains/sphere_transfer.hpp"
 #include "hardball/processes/processes.hpp"
 #include "hardball/world/world.hpp"
 
@@ -13,6 +13,7 @@ namespace hardball {
 /// A small part of all `spheres` that has the whole range of radii, the same in all processes, each of which
 /// brings some. `setting`: the world, with or without spheres. Cost: O(spheres here), and a message to each
 /// process.
-World sample_of(Processes& processes, const World& setting, const Travelers& brought, std::uint64_t spheres);
+World sample_of(Processes& processes, const World& setting, const SphereTransfers& brought,
+                std::uint64_t spheres);
 
 }  // namespace hardball

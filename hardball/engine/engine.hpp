@@ -13,15 +13,15 @@
 #include "hardball/engine/engine_journal.hpp"
 #include "hardball/engine/forecast.hpp"
 #include "hardball/engine/prefetching.hpp"
-#include "hardball/engine/put.hpp"
 #include "hardball/engine/rewind.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/standstill_guard.hpp"
+#include "hardball/engine/upsert.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/event_queue.hpp"
-#include "hardball/execution/aftermath.hpp"
 #include "hardball/execution/execute.hpp"
+#include "hardball/execution/post_contact_state.hpp"
 #include "hardball/geometry/inlining.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/curve_order.hpp"
@@ -49,13 +49,13 @@ class Engine final : public EngineBase {
   std::unique_ptr<EngineBase> clone() const override { return std::make_unique<Engine>(*this); }
 
   const World& world() const override { return forecast_.world(); }
-  World& world_to_edit() override { return forecast_.world(); }
+  World& mutable_world() override { return forecast_.world(); }
   const BroadPhase& phase() const { return forecast_.phase(); }
   PhaseLengths lengths() const override { return phase().lengths(); }
-  Aftermath aftermath() const override { return aftermath_; }
-  void take_over(const Aftermath& aftermath) override { aftermath_ = aftermath; }
-  /// The part of the aftermath that domains divide among them.
-  const CollapseGuard& collapse_guard() const { return aftermath_.collapse; }
+  PostContactState post_contact_state() const override { return post_contact_; }
+  void take_over(const PostContactState& post_contact_state) override { post_contact_ = post_contact_state; }
+  /// The part of the post_contact_state that domains divide among them.
+  const CollapseGuard& collapse_guard() const { return post_contact_.collapse; }
   Time now() const override { return forecast_.now(); }
 
   Counters counters() const override {
@@ -67,7 +67,7 @@ class Engine final : public EngineBase {
   }
 
   std::size_t memory_bytes() const override {
-    return forecast_.memory_bytes() + queue_.memory_bytes() + aftermath_.collapse.memory_bytes();
+    return forecast_.memory_bytes() + queue_.memory_bytes() + post_contact_.collapse.memory_bytes();
   }
 
   RunStatus run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) override {
@@ -85,11 +85,11 @@ class Engine final : public EngineBase {
     if (limits.contacts == 0) return RunStatus::contacts_reached;
     const Time until = within_range(limits.until);
     for (;;) {
-      if (is_outdated_) [[unlikely]]
+      if (needs_rebuild_) [[unlikely]]
         return RunStatus::outdated;
-      if (!aftermath_.merged.empty() && steps == limits.steps) [[unlikely]]
+      if (!post_contact_.merged.empty() && steps == limits.steps) [[unlikely]]
         return RunStatus::steps_reached;
-      if (aftermath_.merged.empty() || !coalesce()) [[likely]] {
+      if (post_contact_.merged.empty() || !coalesce()) [[likely]] {
         Slot next;
         do {
           keep_copies_good();
@@ -125,12 +125,12 @@ class Engine final : public EngineBase {
   void change_velocities(const Time& moment, std::span<const NewVelocity> changes) override {
     for (const NewVelocity& change : changes) {
       const Image folded = forecast_.world().change_velocity(change.slot, moment, change.after);
-      if (is_outdated_) continue;
+      if (needs_rebuild_) continue;
       HARDBALL_CHECK(moment >= now());
       forecast_.advance(moment);
       forecast_.note_new_path(change.slot, folded);
     }
-    if (is_outdated_) return;
+    if (needs_rebuild_) return;
     for (const NewVelocity& change : changes) {
       forecast_.predict(change.slot);
       queue_.schedule(change.slot, forecast_);
@@ -141,7 +141,7 @@ class Engine final : public EngineBase {
     World& world = forecast_.world();
     const SphereId id = world.add(sphere, moment);
     const auto slot = static_cast<Slot>(world.size() - 1);
-    const bool is_admitted = !is_outdated_ && forecast_.admits(slot);
+    const bool is_admitted = !needs_rebuild_ && forecast_.admits(slot);
     if (is_admitted) {
       HARDBALL_CHECK(moment >= now());
       forecast_.advance(moment);
@@ -157,8 +157,8 @@ class Engine final : public EngineBase {
       world.undo_add();
       throw;
     }
-    is_outdated_ = !is_admitted;
-    if (is_outdated_) return id;
+    needs_rebuild_ = !is_admitted;
+    if (needs_rebuild_) return id;
     queue_.add_owner(slot);
     forecast_.predict(slot);
     queue_.schedule(slot, forecast_);
@@ -168,59 +168,59 @@ class Engine final : public EngineBase {
   void remove(SphereId id, const Time& moment) override { remove_at(world().slot_of(id), moment); }
   /// Removes the sphere in a slot. Precondition: as for `remove`.
   void remove_at(Slot slot, const Time& moment) {
-    journal_.note_merged(moment, aftermath_.merged);
-    aftermath_.merged.forget(world().id(slot));
-    if (is_outdated_) return forecast_.world().remove_at(slot, moment);
+    journal_.note_merged(moment, post_contact_.merged);
+    post_contact_.merged.forget(world().id(slot));
+    if (needs_rebuild_) return forecast_.world().remove_at(slot, moment);
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
     remove_from_forecast(slot);
   }
 
-  /// See put.hpp. Precondition: as for change_velocities; there is no journal.
-  void put(std::span<const SphereState> spheres, const Time& moment) {
+  /// See upsert.hpp. Precondition: as for change_velocities; there is no journal.
+  void upsert_spheres(std::span<const SphereState> spheres, const Time& moment) {
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
     std::vector<Slot> slots;
-    is_outdated_ = !hardball::put(forecast_, spheres, !is_outdated_, slots);
-    if (is_outdated_) return;
+    needs_rebuild_ = !hardball::upsert_spheres(forecast_, spheres, !needs_rebuild_, slots);
+    if (needs_rebuild_) return;
     for (const Slot slot : slots) queue_.add_owner(slot);
     predict_all(forecast_, queue_, slots);
   }
 
-  /// See put.hpp. Precondition: as for put.
-  void put_on_paths(std::span<const NewPath> paths, const Time& moment) {
+  /// See upsert.hpp. Precondition: as for upsert_spheres.
+  void replace_paths(std::span<const NewPath> paths, const Time& moment) {
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
     std::vector<Slot> slots;
-    hardball::put_on_paths(forecast_, paths, !is_outdated_, slots);
-    if (!is_outdated_) predict_all(forecast_, queue_, slots);
+    hardball::replace_paths(forecast_, paths, !needs_rebuild_, slots);
+    if (!needs_rebuild_) predict_all(forecast_, queue_, slots);
   }
 
   /// The slots of the spheres of the last contact. Precondition: they have not merged.
   const Participants& participants() const { return participants_; }
 
-  bool is_outdated() const override { return is_outdated_; }
+  bool needs_rebuild() const override { return needs_rebuild_; }
 
   void begin_journal(const Time& moment) override {
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
     journal_.begin(moment);
     forecast_.world().begin_journal();
-    aftermath_.collapse.begin_journal();
+    post_contact_.collapse.begin_journal();
   }
   void end_journal() override {
     journal_.end();
     forecast_.world().end_journal();
-    aftermath_.collapse.end_journal();
+    post_contact_.collapse.end_journal();
   }
 
   void rewind(const Time& moment) override {
     if (!(now() > moment)) return;
-    is_outdated_ |= !journal_.reaches(moment);
+    needs_rebuild_ |= !journal_.reaches(moment);
     undo(moment, moment);
   }
   void rewind_to_begin() override {
-    is_outdated_ |= !journal_.reaches_begin();
+    needs_rebuild_ |= !journal_.reaches_begin();
     undo(EngineJournal::kLongAgo, journal_.begin_time());
   }
 
@@ -240,12 +240,12 @@ class Engine final : public EngineBase {
   }
 
   void validate() const override {
-    if (!is_outdated_) hardball::validate(forecast_);
+    if (!needs_rebuild_) hardball::validate(forecast_);
   }
 
  private:
   void rebuild(const Time& now, const Progress& progress) {
-    is_outdated_ = false;
+    needs_rebuild_ = false;
     journal_.note_rebuild(now);
     forecast_.rebuild(now, progress);
     queue_.reset(world().size(), now);
@@ -304,7 +304,7 @@ class Engine final : public EngineBase {
         is_collision ? make_collision(plan.contact_time(), id, partner_id, forecast_.image_in_event(slot))
                      : Event{plan.contact_time(), EventKind::wall, id, plan.wall(), {}};
     standstill_guard_.note_event(now(), event.time, world().size());
-    execute(forecast_.world(), aftermath_.collapse, event, participants, done_);
+    execute(forecast_.world(), post_contact_.collapse, event, participants, done_);
     forecast_.advance(event.time);
     ++(is_collision ? counters_.collision : counters_.wall);
     journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now(),
@@ -328,11 +328,11 @@ class Engine final : public EngineBase {
 
   // Merges spheres that overlap since others have merged, if the response does so; false if none do.
   HARDBALL_NEVER_INLINE bool coalesce() {
-    journal_.note_merged(now(), aftermath_.merged);
+    journal_.note_merged(now(), post_contact_.merged);
     const auto overlaps = [this](Slot slot) {
       return overlaps_of(world(), slot, forecast_.overlapping(slot), now());
     };
-    return aftermath_.merged.coalesce(world(), overlaps, [this](const Event& overlap) {
+    return post_contact_.merged.coalesce(world(), overlaps, [this](const Event& overlap) {
       const Participants participants = participants_of(world(), overlap);
       if (!merge_if_decided(forecast_.world(), overlap, participants, done_)) return false;
       ++counters_.collision;
@@ -345,11 +345,11 @@ class Engine final : public EngineBase {
 
   // The first of two spheres that have merged takes the place of both.
   HARDBALL_NEVER_INLINE void absorb(const Participants& participants) {
-    journal_.note_merged(now(), aftermath_.merged);
-    aftermath_.merged.note(done_.contact.first);
-    aftermath_.merged.forget(done_.contact.second);
-    is_outdated_ = !forecast_.admits(participants.first);
-    if (is_outdated_) return forecast_.world().remove(done_.contact.second, now());
+    journal_.note_merged(now(), post_contact_.merged);
+    post_contact_.merged.note(done_.contact.first);
+    post_contact_.merged.forget(done_.contact.second);
+    needs_rebuild_ = !forecast_.admits(participants.first);
+    if (needs_rebuild_) return forecast_.world().remove(done_.contact.second, now());
     forecast_.erase(participants.first);
     forecast_.insert(participants.first);
     remove_from_forecast(participants.second);
@@ -361,9 +361,10 @@ class Engine final : public EngineBase {
   // What happened up to `last_kept` stays.
   void undo(const Time& last_kept, const Time& moment) {
     standstill_guard_ = {};
-    aftermath_.collapse.rewind(last_kept);
-    const std::vector<StoredSphere> handled = journal_.undo_events(last_kept, counters_, aftermath_.merged);
-    if (is_outdated_) {
+    post_contact_.collapse.rewind(last_kept);
+    const std::vector<StoredSphere> handled =
+        journal_.undo_events(last_kept, counters_, post_contact_.merged);
+    if (needs_rebuild_) {
       undo_changes(forecast_.world(), last_kept);
       return forecast_.advance(moment);
     }
@@ -395,11 +396,11 @@ class Engine final : public EngineBase {
   Queue queue_;
   StandstillGuard standstill_guard_;
   Prefetching prefetching_;
-  bool is_outdated_ = false;
+  bool needs_rebuild_ = false;
   Executed done_;  // the last contact
   Participants participants_;
   Counters counters_;
-  Aftermath aftermath_;
+  PostContactState post_contact_;
   EngineJournal journal_;
 };
 

@@ -11,7 +11,7 @@
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/window_counters.hpp"
-#include "hardball/execution/aftermath.hpp"
+#include "hardball/execution/post_contact_state.hpp"
 #include "hardball/measure/contact_sums.hpp"
 #include "hardball/memory/for_each.hpp"
 #include "hardball/memory/function.hpp"
@@ -40,7 +40,7 @@ class EngineBase {
   /// O(contacts since the last call), at first O(n); memory for all spheres.
   virtual const World& world() const = 0;
   /// The world for editing between runs; unless only the responses change, `rebuild` must follow.
-  virtual World& world_to_edit() = 0;
+  virtual World& mutable_world() = 0;
   /// The world with its box, walls, interactions and motion; its spheres may be missing or out of date.
   virtual const World& setting() const { return world(); }
   virtual std::size_t size() const { return world().size(); }
@@ -83,7 +83,7 @@ class EngineBase {
   /// If the response throws, its event has not happened.
   virtual RunStatus run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) = 0;
   /// The next collision or wall contact up to `until`, without executing it, and without asking whether
-  /// spheres that have just merged do so again. Precondition: not is_outdated().
+  /// spheres that have just merged do so again. Precondition: not needs_rebuild().
   virtual std::optional<Event> next_contact(const Time& until) = 0;
 
   /// Changes velocities at `moment`, each of another sphere. Precondition: all events before it have been
@@ -99,7 +99,7 @@ class EngineBase {
 
   /// Whether the broad phase does not fit the spheres, or is of a later time: `rebuild` must follow before
   /// the next run.
-  virtual bool is_outdated() const = 0;
+  virtual bool needs_rebuild() const = 0;
   /// Discards all predictions and regions and rebuilds them as of `now`, with a broad phase of these
   /// settings. The motion is not affected. Cost: O(n).
   virtual void rebuild(const Time& now, const PhaseSettings& settings) = 0;
@@ -116,9 +116,9 @@ class EngineBase {
   /// journal. Cost: as of `rewind`.
   virtual void rewind_to_begin() = 0;
 
-  virtual Aftermath aftermath() const = 0;
-  /// Continues for another engine, or with an aftermath that has been edited between runs.
-  virtual void take_over(const Aftermath& aftermath) = 0;
+  virtual PostContactState post_contact_state() const = 0;
+  /// Continues for another engine, or with an post_contact_state that has been edited between runs.
+  virtual void take_over(const PostContactState& post_contact_state) = 0;
 
   /// Checks every structure, and that every contact is predicted; throws BrokenInvariant. Cost:
   /// O(candidates).

@@ -24,7 +24,7 @@ bool PaperEngine::supports(const World& world) {
 
 std::size_t PaperEngine::memory_bytes() const {
   constexpr std::size_t kTreeLinks = 4 * sizeof(void*);
-  std::size_t bytes = world_.memory_bytes() + aftermath_.collapse.memory_bytes();
+  std::size_t bytes = world_.memory_bytes() + post_contact_.collapse.memory_bytes();
   bytes += records_.capacity() * sizeof(SphereRecord);
   bytes += event_tree_.size() * (sizeof(Event) + kTreeLinks);
   for (const SphereRecord& record : records_)
@@ -44,8 +44,8 @@ RunStatus PaperEngine::run(const RunLimits& limits, ContactSums& sums, const Con
   if (limits.contacts == 0) return RunStatus::contacts_reached;
   const Time until = within_range(limits.until);
   for (std::uint64_t step = 0;; ++step) {
-    if (is_outdated_) return RunStatus::outdated;
-    if (!aftermath_.merged.empty()) {
+    if (needs_rebuild_) return RunStatus::outdated;
+    if (!post_contact_.merged.empty()) {
       if (step == limits.steps) return RunStatus::steps_reached;
       if (coalesce()) {
         const bool continues = observe(done_.contact);
@@ -76,7 +76,7 @@ std::optional<Event> PaperEngine::next_contact(const Time& until) {
 void PaperEngine::change_velocities(const Time& moment, std::span<const NewVelocity> changes) {
   for (const NewVelocity& change : changes) {
     world_.change_velocity(change.slot, moment, change.after);
-    if (is_outdated_) continue;
+    if (needs_rebuild_) continue;
     HARDBALL_CHECK(moment >= now_);
     now_ = moment;
     remove_candidates(change.slot);
@@ -88,7 +88,7 @@ void PaperEngine::change_velocities(const Time& moment, std::span<const NewVeloc
 SphereId PaperEngine::add(const Sphere& sphere, const Time& moment) {
   const SphereId id = world_.add(sphere, moment);
   const auto slot = static_cast<Slot>(world_.size() - 1);
-  const bool is_admitted = !is_outdated_ && admits(slot);
+  const bool is_admitted = !needs_rebuild_ && admits(slot);
   if (is_admitted) {
     HARDBALL_CHECK(moment >= now_);
     now_ = moment;
@@ -103,16 +103,16 @@ SphereId PaperEngine::add(const Sphere& sphere, const Time& moment) {
     world_.undo_add();
     throw;
   }
-  is_outdated_ = !is_admitted;
+  needs_rebuild_ = !is_admitted;
   if (is_admitted) predict_all(slot);
   return id;
 }
 
 void PaperEngine::remove(SphereId id, const Time& moment) {
   const Slot slot = world_.slot_of(id);
-  journal_.note_merged(moment, aftermath_.merged);
-  aftermath_.merged.forget(id);
-  if (is_outdated_) return world_.remove(id, moment);
+  journal_.note_merged(moment, post_contact_.merged);
+  post_contact_.merged.forget(id);
+  if (needs_rebuild_) return world_.remove(id, moment);
   HARDBALL_CHECK(moment >= now_);
   now_ = moment;
   remove(slot);
@@ -123,13 +123,13 @@ void PaperEngine::begin_journal(const Time& moment) {
   now_ = moment;
   journal_.begin(moment);
   world_.begin_journal();
-  aftermath_.collapse.begin_journal();
+  post_contact_.collapse.begin_journal();
 }
 
 void PaperEngine::end_journal() {
   journal_.end();
   world_.end_journal();
-  aftermath_.collapse.end_journal();
+  post_contact_.collapse.end_journal();
 }
 
 void PaperEngine::rewind(const Time& moment) {
@@ -143,7 +143,7 @@ void PaperEngine::rebuild(const Time& now, const PhaseSettings& settings) {
                 "the paper's engine needs at least " + to_text(least_edge(world_)));
   }
   now_ = now;
-  is_outdated_ = false;
+  needs_rebuild_ = false;
   subdivision_ = Subdivision(world_.box(), edge, kMaxSubspacesPerAxis);
   subspace_tree_.clear();
   event_tree_.clear();
@@ -153,7 +153,7 @@ void PaperEngine::rebuild(const Time& now, const PhaseSettings& settings) {
 }
 
 void PaperEngine::validate() const {
-  if (is_outdated_) return;
+  if (needs_rebuild_) return;
   for (Slot slot = 0; slot < world_.size(); ++slot) {
     const CellRange& range = records_[slot].subspaces;
     for_each_partner(slot, range, [&](Slot other, const Image& image) {
@@ -334,9 +334,9 @@ std::vector<Slot> PaperEngine::nearby(Slot slot) const {
 }
 
 bool PaperEngine::coalesce() {
-  journal_.note_merged(now_, aftermath_.merged);
+  journal_.note_merged(now_, post_contact_.merged);
   const auto overlaps = [this](Slot slot) { return overlaps_of(world_, slot, nearby(slot), now_); };
-  return aftermath_.merged.coalesce(world_, overlaps, [this](const Event& overlap) {
+  return post_contact_.merged.coalesce(world_, overlaps, [this](const Event& overlap) {
     const Participants participants = participants_of(world_, overlap);
     if (!merge_if_decided(world_, overlap, participants, done_)) return false;
     ++counters_.collision;
@@ -349,19 +349,19 @@ bool PaperEngine::coalesce() {
 
 void PaperEngine::undo(const Time& last_kept, const Time& moment) {
   standstill_guard_ = {};
-  journal_.undo_events(last_kept, counters_, aftermath_.merged);
-  aftermath_.collapse.rewind(last_kept);
+  journal_.undo_events(last_kept, counters_, post_contact_.merged);
+  post_contact_.collapse.rewind(last_kept);
   undo_changes(world_, last_kept);
   now_ = moment;
-  is_outdated_ = true;
+  needs_rebuild_ = true;
 }
 
 void PaperEngine::absorb(const Participants& participants) {
-  journal_.note_merged(now_, aftermath_.merged);
-  aftermath_.merged.note(done_.contact.first);
-  aftermath_.merged.forget(done_.contact.second);
-  is_outdated_ = !admits(participants.first);
-  if (is_outdated_) return world_.remove(done_.contact.second, now_);
+  journal_.note_merged(now_, post_contact_.merged);
+  post_contact_.merged.note(done_.contact.first);
+  post_contact_.merged.forget(done_.contact.second);
+  needs_rebuild_ = !admits(participants.first);
+  if (needs_rebuild_) return world_.remove(done_.contact.second, now_);
   erase(participants.first);
   insert(participants.first);
   remove(participants.second);
@@ -434,7 +434,7 @@ const Contact& PaperEngine::carry_out(const Event& event) {
   const bool is_collision = event.kind == EventKind::collision;
   standstill_guard_.note_event(now_, event.time, world_.size());
   const Participants participants = participants_of(world_, event);
-  execute(world_, aftermath_.collapse, event, participants, done_);
+  execute(world_, post_contact_.collapse, event, participants, done_);
   now_ = event.time;
   ++(is_collision ? counters_.collision : counters_.wall);
   journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now_,

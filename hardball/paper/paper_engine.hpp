@@ -17,8 +17,8 @@
 #include "hardball/engine/engine_journal.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/standstill_guard.hpp"
-#include "hardball/execution/aftermath.hpp"
 #include "hardball/execution/execute.hpp"
+#include "hardball/execution/post_contact_state.hpp"
 #include "hardball/world/new_velocity.hpp"
 
 namespace hardball {
@@ -43,9 +43,9 @@ class PaperEngine final : public EngineBase {
   static double least_edge(const World& world) { return 2 * world.largest_bounding_radius(); }
 
   const World& world() const override { return world_; }
-  World& world_to_edit() override { return world_; }
-  Aftermath aftermath() const override { return aftermath_; }
-  void take_over(const Aftermath& aftermath) override { aftermath_ = aftermath; }
+  World& mutable_world() override { return world_; }
+  PostContactState post_contact_state() const override { return post_contact_; }
+  void take_over(const PostContactState& post_contact_state) override { post_contact_ = post_contact_state; }
   Time now() const override { return now_; }
   Counters counters() const override { return counters_; }
   PhaseLengths lengths() const override { return {.cell_edges = subdivision_.edges()}; }
@@ -56,7 +56,7 @@ class PaperEngine final : public EngineBase {
   void change_velocities(const Time& moment, std::span<const NewVelocity> changes) override;
   SphereId add(const Sphere& sphere, const Time& moment) override;
   void remove(SphereId id, const Time& moment) override;
-  bool is_outdated() const override { return is_outdated_; }
+  bool needs_rebuild() const override { return needs_rebuild_; }
 
   void begin_journal(const Time& moment) override;
   void end_journal() override;
@@ -159,8 +159,8 @@ class PaperEngine final : public EngineBase {
   std::map<std::uint64_t, Members> subspace_tree_;
   std::set<Event> event_tree_;
   std::vector<SphereRecord> records_;  // per slot
-  Aftermath aftermath_;
-  bool is_outdated_ = false;
+  PostContactState post_contact_;
+  bool needs_rebuild_ = false;
   Executed done_;  // the last contact
   StandstillGuard standstill_guard_;
   EngineJournal journal_;

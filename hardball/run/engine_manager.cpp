@@ -51,7 +51,7 @@ void EngineManager::start(World world, const Time& now, const Progress& progress
   begin(length, now);
 }
 
-void EngineManager::start(World empty, Travelers brought, const Time& now) {
+void EngineManager::start(World empty, SphereTransfers brought, const Time& now) {
   std::uint64_t spheres = 0;
   for (const std::size_t count : processes_->gather(brought.size())) spheres += count;
   const World sample = sample_of(*processes_, empty, brought, spheres);
@@ -94,13 +94,13 @@ void EngineManager::undo_look_ahead(const Counters& before) {
 void EngineManager::make_ready(const Time& now) {
   const std::size_t spheres = engine_->size();
   const auto [fewer, more] = std::minmax(spheres, spheres_at_choice_);
-  if (16 * more <= 17 * fewer && !engine_->is_outdated()) return;
+  if (16 * more <= 17 * fewer && !engine_->needs_rebuild()) return;
   end_look_ahead(now);
   rebuild(now);
 }
 
 void EngineManager::review_if_due(const Time& now) {
-  if (engine_->is_outdated()) return;
+  if (engine_->needs_rebuild()) return;
   const Counters done = counters();
   if (done.enter + done.contacts() < next_review_) return;
   next_review_ = done.enter + done.contacts() + kEventsPerReview * engine_->size();
@@ -163,9 +163,9 @@ void EngineManager::replace(EngineKind kind, double length, const Time& moment) 
   counters_before_ = counters();
   ++counters_before_.rebuilds;
   windows_before_ = windows();
-  const Aftermath aftermath = engine_->aftermath();
-  engine_ = make_engine(std::move(engine_->world_to_edit()), kind, options_, length, moment, *processes_);
-  engine_->take_over(aftermath);
+  const PostContactState post_contact_state = engine_->post_contact_state();
+  engine_ = make_engine(std::move(engine_->mutable_world()), kind, options_, length, moment, *processes_);
+  engine_->take_over(post_contact_state);
   kind_ = kind;
 }
 

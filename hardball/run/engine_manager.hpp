@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hardball/domains/traveler.hpp"
+#include "hardball/domains/sphere_transfer.hpp"
 #include "hardball/engine/engine_base.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/memory/value_pointer.hpp"
@@ -33,7 +33,7 @@ class EngineManager {
   /// Makes the engine for a system of which each process brings some of the spheres, as they are at `now`;
   /// all are brought once. `empty`: the world without spheres. Error: see choose_engine; the box is too small
   /// for this many processes.
-  void start(World empty, Travelers brought, const Time& now);
+  void start(World empty, SphereTransfers brought, const Time& now);
 
   EngineBase& engine() { return *engine_; }
   const EngineBase& engine() const { return *engine_; }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hardball/archive/archive.hpp"
-#include "hardball/domains/traveler.hpp"
+#include "hardball/domains/sphere_transfer.hpp"
 #include "hardball/io/read_file.hpp"
 #include "hardball/processes/in_all.hpp"
 
@@ -41,11 +41,11 @@ void require_same_scenario(const Scenario& scenario, Processes& processes) {
 World make_share(const Scenario& scenario, const Processes& processes, const OnProgress& on_progress,
                  const OnNote& on_note) {
   if (processes.size() == 1) return make_world(scenario, on_progress, on_note);
-  Travelers brought;
+  SphereTransfers brought;
   World part = make_part(
       scenario, [&](SphereId id) { return id % processes.size() == processes.rank(); },
       [&](const SphereState& state) { brought.push_back({state}); }, on_progress, on_note);
-  insert(std::move(brought), part, [](const Traveler&) {});
+  insert(std::move(brought), part, [](const SphereTransfer&) {});
   return part;
 }
 

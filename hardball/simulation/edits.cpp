@@ -27,7 +27,7 @@ void Simulation::respond_with(Function<Outcome(const Contact&)> response) {
   Interactions changed = setting().interactions();
   changed.set_function(std::move(response));
   check_division(options(), processes(), setting().box(), changed);
-  manager_->engine().world_to_edit().set_interactions(changed);
+  manager_->engine().mutable_world().set_interactions(changed);
   sums_.tally.set_interactions(changed);
 }
 
@@ -38,7 +38,7 @@ void Simulation::respond_with(const ResponseTable& table) {
   Interactions changed(responses);
   changed.set_steps(setting().interactions().steps());
   check_division(options(), processes(), setting().box(), changed);
-  manager_->engine().world_to_edit().set_interactions(changed);
+  manager_->engine().mutable_world().set_interactions(changed);
   sums_.tally.set_interactions(changed);
 }
 
@@ -71,7 +71,7 @@ void Simulation::stop_growing() {
   manager_->end_look_ahead(now_);
   manager_->engine().rewind(now_);
   const Growth last{now_, kNever, world().motion().scale_at(now_), 0};
-  manager_->engine().world_to_edit().end_growth(now_);
+  manager_->engine().mutable_world().end_growth(now_);
   manager_->rebuild(now_);
   tell_of_epoch(last);
   is_rescheduled_ = true;

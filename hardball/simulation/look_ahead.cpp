@@ -19,7 +19,7 @@ std::optional<NextContact> Simulation::next_contact(double until) {
   const Time end(until);
   const Time action = actors_.next().next();
   const bool acts = action <= end && action < kNever;
-  if (engine.aftermath().merged.empty()) {
+  if (engine.post_contact_state().merged.empty()) {
     if (!setting().has_journal()) engine.begin_journal(later(now_, engine.now()));
     const std::optional<Event> next = engine.next_contact(acts ? action : end);
     if (next) return NextContact{next->time.value(), next->kind, next->first, next->second};
@@ -80,7 +80,7 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most,
     RunSchedule schedule({.until = until, .contacts = most}, now_);
     do {
       is_rescheduled_ = false;
-      if (manager_->engine().is_outdated()) manager_->rebuild(later(now_, manager_->engine().now()));
+      if (manager_->engine().needs_rebuild()) manager_->rebuild(later(now_, manager_->engine().now()));
       const RunSchedule::Item item = schedule.advance(*manager_, actors_.next().next(), kNever,
                                                       Actor::kAnyNumber, unused, {.note = note});
       if (item == RunSchedule::Item::action) {

@@ -19,12 +19,12 @@ namespace {
 
 // A sphere as archives have it.
 struct SavedTraveler {
-  Traveler traveler;
+  SphereTransfer transfer;
 
   static void persist(auto& archive, auto& self) {
-    auto& state = self.traveler.state;
+    auto& state = self.transfer.state;
     archive(state.id, state.path, state.radius, state.mass, state.inertia_factor, state.folded, state.spin,
-            state.species, self.traveler.idle_contacts);
+            state.species, self.transfer.idle_contacts);
   }
 };
 
@@ -49,9 +49,9 @@ struct Simulation::Saved {
 
 std::string Simulation::save() const {
   if (activity_.kind() == Activity::Kind::running) check_idle("save");
-  const Aftermath aftermath = manager_->engine().aftermath();
+  const PostContactState post_contact_state = manager_->engine().post_contact_state();
   return archived(SavedOptions{options()}, engine(), world(), now_, sums_.hash, sums_.tally, thermostat(),
-                  *user_data_, aftermath.merged, counters(), aftermath.collapse, growth());
+                  *user_data_, post_contact_state.merged, counters(), post_contact_state.collapse, growth());
 }
 
 Simulation Simulation::load(std::string_view bytes, const std::string& where, Processes& processes) {
@@ -59,17 +59,17 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where, Pr
   SavedOptions saved;
   EngineKind kind = EngineKind::automatic;
   World world(Box::open());
-  Aftermath aftermath;
+  PostContactState post_contact_state;
   Counters counters;
   restore(bytes, where, saved, kind, world, loaded.now_, loaded.sums_.hash, loaded.sums_.tally,
-          loaded.actors_.thermostat.thermostat, *loaded.user_data_, aftermath.merged, counters,
-          aftermath.collapse, loaded.actors_.growth.schedule);
-  for (const SphereId merged : aftermath.merged.ids()) static_cast<void>(world.slot_of(merged));
+          loaded.actors_.thermostat.thermostat, *loaded.user_data_, post_contact_state.merged, counters,
+          post_contact_state.collapse, loaded.actors_.growth.schedule);
+  for (const SphereId merged : post_contact_state.merged.ids()) static_cast<void>(world.slot_of(merged));
   check_division(saved.options, processes, world.box(), world.interactions());
   loaded.begin_loaded(saved.options, kind, counters, world, where, processes);
   loaded.manager_->prepare(world, loaded.now_);
   loaded.manager_->start(std::move(world), loaded.now_);
-  loaded.manager_->engine().take_over(aftermath);
+  loaded.manager_->engine().take_over(post_contact_state);
   return loaded;
 }
 
@@ -84,25 +84,26 @@ void Simulation::begin_loaded(const EngineOptions& options, EngineKind kind, Cou
   manager_ = ValuePointer<EngineManager>::make(options, processes, kind, counters);
 }
 
-std::vector<std::vector<Traveler>> Simulation::own_blocks() const {
-  const CollapseGuard counts = manager_->engine().aftermath().collapse;
-  Travelers own;
+std::vector<std::vector<SphereTransfer>> Simulation::own_blocks() const {
+  const CollapseGuard counts = manager_->engine().post_contact_state().collapse;
+  SphereTransfers own;
   for_each_sphere([&](const World& world, Slot slot) {
     own.push_back({world.state_of(slot), counts.idle_contacts(world.id(slot))});
   });
   const std::size_t ranks = processes().size();
-  Travelers arrived = sent(std::move(own), processes(), [&](const Traveler& traveler, const auto& send_to) {
-    send_to(traveler.state.id / kBlock % ranks);
-  });
-  std::vector<std::vector<Traveler>> sorted;
+  SphereTransfers arrived =
+      sent(std::move(own), processes(), [&](const SphereTransfer& transfer, const auto& send_to) {
+        send_to(transfer.state.id / kBlock % ranks);
+      });
+  std::vector<std::vector<SphereTransfer>> sorted;
   const std::size_t blocks = blocks_of_spheres();
   for (std::size_t block = processes().rank(); block < blocks; block += ranks) sorted.emplace_back();
   while (!arrived.empty()) {
-    for (const Traveler& traveler : arrived.take_some())
-      sorted[traveler.state.id / kBlock / ranks].push_back(traveler);
+    for (const SphereTransfer& transfer : arrived.take_some())
+      sorted[transfer.state.id / kBlock / ranks].push_back(transfer);
   }
-  for (std::vector<Traveler>& block : sorted)
-    std::ranges::sort(block, {}, [](const Traveler& traveler) { return traveler.state.id; });
+  for (std::vector<SphereTransfer>& block : sorted)
+    std::ranges::sort(block, {}, [](const SphereTransfer& transfer) { return transfer.state.id; });
   return sorted;
 }
 
@@ -126,10 +127,10 @@ std::string Simulation::save_without_spheres() const {
   return archived(saved);
 }
 
-std::string Simulation::saved_block(const std::vector<Traveler>& block) {
+std::string Simulation::saved_block(const std::vector<SphereTransfer>& block) {
   std::vector<SavedTraveler> saved;
   saved.reserve(block.size());
-  for (const Traveler& traveler : block) saved.push_back({traveler});
+  for (const SphereTransfer& transfer : block) saved.push_back({transfer});
   return archived(saved);
 }
 
@@ -139,13 +140,13 @@ Simulation Simulation::load_blocks(std::string_view saved, const std::vector<std
   restore(saved, where, head);
   head.options.options.threads = threads;
   World part = head.setting;
-  Aftermath aftermath;
+  PostContactState post_contact_state;
   for (const std::string& block : blocks) {
     std::vector<SavedTraveler> spheres;
     restore(block, where, spheres);
-    part.insert_all(spheres.size(), [&](std::size_t k) { return spheres[k].traveler.state; });
-    for (const auto& [traveler] : spheres)
-      aftermath.collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
+    part.insert_all(spheres.size(), [&](std::size_t k) { return spheres[k].transfer.state; });
+    for (const auto& [transfer] : spheres)
+      post_contact_state.collapse.set_idle_contacts(transfer.state.id, transfer.idle_contacts);
   }
   Simulation loaded;
   if (head.now) loaded.now_ = *head.now;
@@ -155,12 +156,12 @@ Simulation Simulation::load_blocks(std::string_view saved, const std::vector<std
   check_division(head.options.options, processes, part.box(), part.interactions());
   loaded.begin_loaded(head.options.options, head.kind, head.counters, part, where, processes);
   if (processes.size() > 1) {
-    loaded.start_parts(std::move(part), loaded.now_, aftermath.collapse);
+    loaded.start_parts(std::move(part), loaded.now_, post_contact_state.collapse);
     return loaded;
   }
   loaded.manager_->prepare(part, loaded.now_);
   loaded.manager_->start(std::move(part), loaded.now_);
-  loaded.manager_->engine().take_over(aftermath);
+  loaded.manager_->engine().take_over(post_contact_state);
   return loaded;
 }
 

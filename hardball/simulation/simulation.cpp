@@ -78,7 +78,7 @@ void Simulation::start_parts(World part, const std::optional<Time>& moment, cons
     for (const Time& other : manager_->processes().gather(now_)) now_ = later(now_, other);
     begin_paths(part, now_);
   }
-  Travelers brought;
+  SphereTransfers brought;
   for (Slot slot = 0; slot < part.size(); ++slot)
     brought.push_back({part.state_of(slot), counts.idle_contacts(part.id(slot))});
   manager_->start(part.without_spheres(), std::move(brought), now_);
@@ -237,7 +237,7 @@ void Simulation::carry_out(std::span<const NewVelocity> changes, const Time& mom
 void Simulation::begin_epoch(const Action& action, Actor& actor, const Time& moment, Measures* measures) {
   // An event in the same double may have carried the engine on.
   manager_->engine().rewind(moment);
-  World& world = manager_->engine().world_to_edit();
+  World& world = manager_->engine().mutable_world();
   if (!action.changes.empty()) {
     const double energy_before = kinetic_energy(world, moment);
     for (const NewVelocity& change : action.changes) world.rewrite_path(change.slot, moment, change.after);

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hardball/domains/traveler.hpp"
+#include "hardball/domains/sphere_transfer.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/window_counters.hpp"
 #include "hardball/errors/export.hpp"
@@ -231,11 +231,11 @@ class HARDBALL_EXPORT Simulation {
   std::size_t blocks_of_spheres() const;
   /// The spheres of the blocks of this process, each block in the order of ids. Cost: O(n / processes), and
   /// all spheres are sent.
-  std::vector<std::vector<Traveler>> own_blocks() const;
+  std::vector<std::vector<SphereTransfer>> own_blocks() const;
   /// What is needed to continue, besides the spheres: the same bytes for any number of processes.
   std::string save_without_spheres() const;
   /// A block of spheres as bytes.
-  static std::string saved_block(const std::vector<Traveler>& block);
+  static std::string saved_block(const std::vector<SphereTransfer>& block);
   /// Continues from what save_without_spheres has returned, and from blocks of which each process brings
   /// some, whatever it was that saved them; `where` names the bytes in errors. Error: they are damaged; as
   /// for from_parts.

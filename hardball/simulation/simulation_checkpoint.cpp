@@ -53,9 +53,9 @@ void write_in_parts(const Simulation& simulation, const std::filesystem::path& p
     add(own.size(), {kDivided, state});
   }
   std::size_t block = processes.rank();
-  for (std::vector<Traveler>& spheres : simulation.own_blocks()) {
+  for (std::vector<SphereTransfer>& spheres : simulation.own_blocks()) {
     add(kBlocks + block, {block_name(block), Simulation::saved_block(spheres)});
-    std::vector<Traveler>().swap(spheres);
+    std::vector<SphereTransfer>().swap(spheres);
     block += processes.size();
   }
   std::vector<NumberedEntry> all;

@@ -25,7 +25,9 @@ HARDBALL_EXPORT bool has_images_of_obstacles(const Setting& setting);
 /// `boxes` box lengths away along each axis from where the sphere is now.
 HARDBALL_EXPORT Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes);
 
-/// The same for a sphere on any path, of this base radius [L]: the event is that of sphere `id`.
+/// The next contact of a sphere on any path, of this base radius [L], with a face of the box or a surface,
+/// where none has come before `now`, as an event of sphere `id`; an event that never happens if there is
+/// none.
 HARDBALL_EXPORT Event next_wall_event(const Setting& setting, SphereId id, const Path& path, double radius,
                                       const Time& now, double boxes);
 
@@ -65,7 +67,8 @@ HARDBALL_EXPORT double accessible_volume(const Setting& setting);
 /// The volume of the spheres at `moment` over the accessible volume [1]; NaN in unbounded space, and without
 /// spheres.
 HARDBALL_EXPORT double packing_fraction(const World& world, const Time& moment);
-/// The same for spheres of this volume [L^3]; the world may be without them.
+/// The volume of spheres [L^3], which the world need not have, over the accessible volume [1]; NaN in
+/// unbounded space, and without spheres.
 HARDBALL_EXPORT double packing_fraction(const Setting& setting, double sphere_volume);
 
 /// The displacement of the image of a surface nearest to `position`, in a periodic box [L]; zero if the

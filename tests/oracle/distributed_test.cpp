@@ -43,12 +43,12 @@ const std::vector<Setting>& settings() {
 }
 
 // The spheres of all blocks.
-std::vector<Traveler> gathered(const Simulation& simulation) {
+std::vector<SphereTransfer> gathered(const Simulation& simulation) {
   std::string own;
-  for (const std::vector<Traveler>& block : simulation.own_blocks()) own += bytes_of(block);
-  std::vector<Traveler> all;
+  for (const std::vector<SphereTransfer>& block : simulation.own_blocks()) own += bytes_of(block);
+  std::vector<SphereTransfer> all;
   for (const std::string& part : simulation.processes().gather(own)) append_bytes(part, all);
-  std::ranges::sort(all, {}, [](const Traveler& traveler) { return traveler.state.id; });
+  std::ranges::sort(all, {}, [](const SphereTransfer& transfer) { return transfer.state.id; });
   return all;
 }
 
@@ -64,10 +64,10 @@ void expect_same_state(const Simulation& simulation, const Simulation& expected)
   const Totals totals = simulation.totals();
   ASSERT_EQ(totals.energy.value(), energy(expected.world(), expected.now()));
   ASSERT_EQ(totals.total_momentum(), momentum(expected.world(), expected.now()));
-  const std::vector<Traveler> spheres = gathered(simulation);
+  const std::vector<SphereTransfer> spheres = gathered(simulation);
   ASSERT_EQ(spheres.size(), expected.size());
-  for (const Traveler& traveler : spheres)
-    ASSERT_EQ(traveler.state, expected.world().state_of(expected.world().slot_of(traveler.state.id)));
+  for (const SphereTransfer& transfer : spheres)
+    ASSERT_EQ(transfer.state, expected.world().state_of(expected.world().slot_of(transfer.state.id)));
 }
 
 // Whether processes bring a part of the world each, or all of it.
@@ -157,7 +157,7 @@ TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
   std::vector<std::string> blocks;
   const auto save = [&](const Simulation& simulation) {
     const std::string state = simulation.save_without_spheres();
-    std::vector<std::vector<Traveler>> own = simulation.own_blocks();
+    std::vector<std::vector<SphereTransfer>> own = simulation.own_blocks();
     if (!own.empty()) blocks.assign(1, Simulation::saved_block(own.front()));
     if (simulation.processes().is_first()) saved = state;
   };
@@ -228,7 +228,7 @@ TEST(DistributedGas, HasTheThermostatOfOneProcess) {
         ASSERT_EQ(simulation.thermostat()->events(), states[piece].thermostat()->events());
       }
       const std::string state = simulation.save_without_spheres();
-      const std::vector<std::vector<Traveler>> own = simulation.own_blocks();
+      const std::vector<std::vector<SphereTransfer>> own = simulation.own_blocks();
       if (!simulation.processes().is_first()) return;
       saved = state;
       blocks.assign(1, Simulation::saved_block(own.front()));

@@ -361,7 +361,7 @@ TEST(HardCasesForDomains, CollapsesOfBothSpheresOfAContact) {
   world.add({.position = {8.5, 2, 2}, .velocity = {-1, 0, 0}, .radius = 0.5});
   world.add({.position = {7.5, 2, 2}, .velocity = {1, 0, 0}, .radius = 0.5});
   world.set_interactions(Restitution(0.5));
-  Aftermath before;
+  PostContactState before;
   for (const SphereId sphere : {0U, 1U}) before.collapse.set_idle_contacts(sphere, 9999);
   DomainsEngine engine(world, PhaseSettings(1.5), {.domains = 2, .halo = 1.05}, Time(0));
   ASSERT_LE(engine.blocks()[1].distance({8.5, 2, 2}), 0);

@@ -93,13 +93,13 @@ class EditedEngine {
   }
 
   void rebuild_if_outdated() {
-    if (!engine_->is_outdated()) return;
+    if (!engine_->needs_rebuild()) return;
     const Time now = engine_->now();
     const GasStatistics statistics = gas_statistics(world(), now);
     kind_ = choose_engine(world(), statistics, options_, now, kind_);
     length_ = allowed_cell_edge(world(), kind_, choose_length(world(), statistics, kind_, options_, now));
     was_replaced_ = true;
-    engine_ = make_engine(std::move(engine_->world_to_edit()), kind_, options_, length_, now);
+    engine_ = make_engine(std::move(engine_->mutable_world()), kind_, options_, length_, now);
   }
 
   void edit(const Time& moment) {

@@ -20,10 +20,10 @@ class ComparisonTest : public testing::Test {
     world_.add({.position = {8, 2, 2}, .radius = 0.5});
     world_.add({.position = {11, 2, 2}, .radius = 0.5});
     world_.add({.position = {11, 3.5, 2}, .radius = 0.5});
-    residents_.add_own(1);
-    residents_.add_ghost(1, 0);
-    residents_.add_ghost(2, 0);
-    frontier_.begin(0);
+    ownership_.add_own(1);
+    ownership_.add_ghost(1, 0);
+    ownership_.add_ghost(2, 0);
+    boundary_.begin(0);
   }
 
   // What a contact with a partner did to a ghost.
@@ -38,20 +38,20 @@ class ComparisonTest : public testing::Test {
   }
   GhostRecord noted(const PathRecord& record) const {
     const Slot slot = world_.slot_of(record.sphere);
-    return {record, world_.path(slot), world_.spin(slot), residents_.find_ghost(record.sphere)};
+    return {record, world_.path(slot), world_.spin(slot), ownership_.find_ghost(record.sphere)};
   }
   double compare(const std::vector<GhostRecord>& own, const std::vector<PathRecord>& of_owner) {
     Outbox inbox;
     inbox.records = of_owner;
     const Outbox* const inboxes[] = {&inbox};
     outboxes_ = std::vector<Outbox>(1);
-    return comparison_.compare(world_, residents_, frontier_, own, inboxes, 0, 4, outboxes_);
+    return comparison_.compare(world_, ownership_, boundary_, own, inboxes, 0, 4, outboxes_);
   }
 
   World world_;
-  Residents residents_;
+  OwnershipMap ownership_;
   Partition partition_ = Partition::grid(world_.box(), {2, 1, 1}, {});
-  Frontier frontier_{partition_, 0, {.depth = 2, .slack = 0.5, .contact = 1}, Motion()};
+  BoundaryWatch boundary_{partition_, 0, {.depth = 2, .slack = 0.5, .contact = 1}, Motion()};
   Comparison comparison_;
   std::vector<Outbox> outboxes_;
 };
@@ -88,7 +88,7 @@ TEST_F(ComparisonTest, DoesNotMindTheOrderOfSimultaneousContacts) {
   const PathRecord second = record(2, 0, 2);
   EXPECT_EQ(compare({noted(first), noted(second)}, {second, first}), kInfinity);
   EXPECT_TRUE(comparison_.corrections().empty());
-  EXPECT_TRUE(outboxes_[0].doubts.empty());
+  EXPECT_TRUE(outboxes_[0].conflicts.empty());
 }
 
 // A ghost that differs takes none of the others with it.
@@ -96,18 +96,19 @@ TEST_F(ComparisonTest, CorrectsOnlyWhatDiffers) {
   const PathRecord same = record(2, 0, 2);
   EXPECT_EQ(compare({noted(record(1, 7, 1)), noted(same)}, {record(1, 7, 1.5), same}), kInfinity);
   ASSERT_EQ(comparison_.corrections().size(), 1U);
-  EXPECT_EQ(comparison_.corrections().front().ghost, residents_.find_ghost(1));
+  EXPECT_EQ(comparison_.corrections().front().ghost, ownership_.find_ghost(1));
 }
 
-// A contact of ghosts matters where they come near the block: there the owner is told to doubt, since when.
+// A contact of ghosts matters where they come near the block: there the owner is told to conflict, since
+// when.
 TEST_F(ComparisonTest, DoubtsGhostsThatDifferNearTheBlock) {
   EXPECT_EQ(compare({noted(record(1, 2, 1))}, {record(1, 2, 1.5)}), kInfinity);
-  ASSERT_EQ(outboxes_[0].doubts.size(), 1U);
-  const Doubt& doubt = outboxes_[0].doubts.front();
-  EXPECT_EQ(doubt.since, 1);
+  ASSERT_EQ(outboxes_[0].conflicts.size(), 1U);
+  const Conflict& conflict = outboxes_[0].conflicts.front();
+  EXPECT_EQ(conflict.since, 1);
   // It flies from x = 11 on, to x = 13.5 at the end of the window.
-  EXPECT_EQ(doubt.center, (Vec3{11, 2, 2}));
-  EXPECT_EQ(doubt.extent, 2.5);
+  EXPECT_EQ(conflict.center, (Vec3{11, 2, 2}));
+  EXPECT_EQ(conflict.extent, 2.5);
 }
 
 class ComparisonInPeriodicBoxTest : public ComparisonTest {
@@ -122,8 +123,8 @@ TEST_F(ComparisonInPeriodicBoxTest, KnowsHowFarAGhostHasFlownAroundTheBox) {
   PathRecord told = found;
   told.path.velocity = {0, 1.75, 0};
   EXPECT_EQ(compare({noted(found)}, {told}), kInfinity);
-  ASSERT_EQ(outboxes_[0].doubts.size(), 1U);
-  EXPECT_EQ(outboxes_[0].doubts.front().extent, 5.25);
+  ASSERT_EQ(outboxes_[0].conflicts.size(), 1U);
+  EXPECT_EQ(outboxes_[0].conflicts.front().extent, 5.25);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 #include "hardball/domains/block_distances.hpp"
 #include "hardball/domains/load.hpp"
+#include "hardball/domains/ownership_map.hpp"
 #include "hardball/domains/partition.hpp"
-#include "hardball/domains/residents.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"

@@ -17,23 +17,23 @@
 namespace hardball {
 
 /// A sphere on its way from one process to another.
-struct Traveler {
+struct SphereTransfer {
   SphereState state;
   std::uint32_t idle_contacts = 0;  ///< See CollapseGuard.
 };
 
 /// Many of them, in pieces of memory that are freed one by one: there are as many as a process has spheres.
-class Travelers {
+class SphereTransfers {
  public:
-  void push_back(const Traveler& traveler) {
+  void push_back(const SphereTransfer& transfer) {
     constexpr std::size_t kPiece = 1 << 14;
     if (pieces_.empty() || pieces_.back().size() == kPiece) pieces_.emplace_back().reserve(kPiece);
-    pieces_.back().push_back(traveler);
+    pieces_.back().push_back(transfer);
     ++size_;
   }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  /// Calls visit(traveler) for each, in the order in which they were added.
+  /// Calls visit(transfer) for each, in the order in which they were added.
   template <class Visit>
   void for_each(Visit&& visit) const {
     for (const auto& piece : pieces_) std::ranges::for_each(piece, visit);
@@ -43,8 +43,8 @@ class Travelers {
     for (auto& piece : pieces_) std::ranges::for_each(piece, visit);
   }
   /// Takes some of them out; none if there are none left.
-  std::vector<Traveler> take_some() {
-    std::vector<Traveler> some;
+  std::vector<SphereTransfer> take_some() {
+    std::vector<SphereTransfer> some;
     if (pieces_.empty()) return some;
     some.swap(pieces_.back());
     pieces_.pop_back();
@@ -53,36 +53,36 @@ class Travelers {
   }
 
  private:
-  std::vector<std::vector<Traveler>> pieces_;
+  std::vector<std::vector<SphereTransfer>> pieces_;
   std::size_t size_ = 0;
 };
 
-/// Sends spheres to other processes, and returns those that arrive here. For each one route(traveler,
+/// Sends spheres to other processes, and returns those that arrive here. For each one route(transfer,
 /// send_to) calls send_to(rank) for every process that it is to reach. Memory: that of those sent or of those
 /// that arrive, and little more.
 template <class Route>
-Travelers sent(Travelers travelers, Processes& processes, Route&& route) {
-  Travelers arrived;
-  while (std::ranges::max(processes.gather(travelers.size())) > 0) {
+SphereTransfers sent(SphereTransfers transfers, Processes& processes, Route&& route) {
+  SphereTransfers arrived;
+  while (std::ranges::max(processes.gather(transfers.size())) > 0) {
     std::vector<std::string> outgoing(processes.size());
-    for (const Traveler& traveler : travelers.take_some())
-      route(traveler, [&](std::size_t rank) { append_value(traveler, outgoing[rank]); });
+    for (const SphereTransfer& transfer : transfers.take_some())
+      route(transfer, [&](std::size_t rank) { append_value(transfer, outgoing[rank]); });
     for (const std::string& part : processes.exchange_with_all(std::move(outgoing))) {
-      std::vector<Traveler> some;
+      std::vector<SphereTransfer> some;
       append_bytes(part, some);
-      for (const Traveler& traveler : some) arrived.push_back(traveler);
+      for (const SphereTransfer& transfer : some) arrived.push_back(transfer);
     }
   }
   return arrived;
 }
 
-/// Inserts spheres into a world, and calls visit(traveler) for each.
+/// Inserts spheres into a world, and calls visit(transfer) for each.
 template <class Visit>
-void insert(Travelers travelers, World& world, Visit&& visit) {
-  std::vector<Traveler> some;
-  world.insert_all(travelers.size(), [&](std::size_t) {
-    if (some.empty()) some = travelers.take_some();
-    const Traveler next = some.back();
+void insert(SphereTransfers transfers, World& world, Visit&& visit) {
+  std::vector<SphereTransfer> some;
+  world.insert_all(transfers.size(), [&](std::size_t) {
+    if (some.empty()) some = transfers.take_some();
+    const SphereTransfer next = some.back();
     some.pop_back();
     visit(next);
     return next.state;

@@ -8,7 +8,7 @@
 namespace hardball {
 
 /// What contacts leave behind besides new paths: kept when one engine replaces another, and saved.
-struct Aftermath {
+struct PostContactState {
   MergedSpheres merged;
   CollapseGuard collapse;
 };

@@ -33,7 +33,7 @@ namespace hardball {
 ///
 /// Some of the domains may be in other processes, each with a cluster of its own: their members are called in
 /// all at once, with the same arguments, and return the same.
-class Cluster {
+class DomainGroup {
  public:
   /// What becomes of the contacts of a window.
   struct Kept {
@@ -42,10 +42,10 @@ class Cluster {
   };
 
   /// Takes over domains that together, with those that `exchange` reaches, hold a world as it is at `now`.
-  Cluster(std::vector<std::unique_ptr<Domain>> domains, const Time& now, const WindowSettings& settings,
-          ForEach for_each, Exchange exchange);
+  DomainGroup(std::vector<std::unique_ptr<Domain>> domains, const Time& now, const WindowSettings& settings,
+              ForEach for_each, Exchange exchange);
   /// A copy that works in its own way.
-  Cluster(const Cluster& other, ForEach for_each);
+  DomainGroup(const DomainGroup& other, ForEach for_each);
 
   /// How many domains are in this process, and these.
   std::size_t size() const { return domains_.size(); }
@@ -84,7 +84,7 @@ class Cluster {
   /// open_window.
   Event next_contact(double end);
 
-  /// Watches all frontiers anew before the next window, as paths have been edited.
+  /// Watches all boundaries anew before the next window, as paths have been edited.
   void watch_anew() { horizon_ = -std::numeric_limits<double>::infinity(); }
 
   /// Whether any event will ever happen.

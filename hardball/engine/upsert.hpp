@@ -35,8 +35,8 @@ void predict_all(Forecast& forecast, Queue& queue, std::span<const Slot> slots) 
 /// predicted. Returns whether all could be inserted; if not, the forecast must be rebuilt. Cost: as of a
 /// collision each.
 template <class Forecast>
-bool put(Forecast& forecast, std::span<const SphereState> spheres, bool are_all_inserted,
-         std::vector<Slot>& slots) {
+bool upsert_spheres(Forecast& forecast, std::span<const SphereState> spheres, bool are_all_inserted,
+                    std::vector<Slot>& slots) {
   World& world = forecast.world();
   for (const SphereState& sphere : spheres) {
     Slot slot;
@@ -57,8 +57,8 @@ bool put(Forecast& forecast, std::span<const SphereState> spheres, bool are_all_
 /// Puts spheres on other paths, as of the time of the forecast, and appends their slots, which remain to be
 /// predicted. Without regions, they get none. Cost: half of a collision each, if they stay in their regions.
 template <class Forecast>
-void put_on_paths(Forecast& forecast, std::span<const NewPath> paths, bool have_regions,
-                  std::vector<Slot>& slots) {
+void replace_paths(Forecast& forecast, std::span<const NewPath> paths, bool have_regions,
+                   std::vector<Slot>& slots) {
   constexpr std::size_t kAhead = 6;
   World& world = forecast.world();
   for (std::size_t i = 0; i < paths.size(); ++i) {

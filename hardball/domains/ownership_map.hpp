@@ -51,7 +51,7 @@ class SlotBits {
 };
 
 /// The role of each sphere that a domain holds: its own, or a ghost, which another domain owns.
-class Residents {
+class OwnershipMap {
  public:
   struct Ghost {
     SphereId sphere = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/domains/frontier.hpp"
+#include "hardball/domains/boundary_watch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "hardball/domains/alarms.hpp"
 #include "hardball/domains/comparison.hpp"
+#include "hardball/domains/wakeups.hpp"
 #include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball::frontier_test {
+namespace hardball::boundary_watch_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -25,16 +25,16 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-8;
 
 // Two blocks that meet at x = 5, with halos of depth two; spheres touch at distance one.
-class FrontierTest : public testing::Test {
+class BoundaryWatchTest : public testing::Test {
  protected:
-  // An own sphere of the first that crosses the frontier from x = 3 at time zero to x = 7 at time two.
+  // An own sphere of the first that crosses the boundary from x = 3 at time zero to x = 7 at time two.
   static constexpr Leg kLeg{.begin = 0, .end = 2, .end_position = {7, 2, 2}, .end_velocity = {2, 0, 0}};
 
   Box box_ = Box::walls({10, 4, 4});
   Halo halo_{.depth = 2, .slack = 0.5, .contact = 1};
   Partition partition_ = Partition::grid(box_, {2, 1, 1}, {});
-  Frontier first_{partition_, 0, halo_, Motion()};
-  Frontier second_{partition_, 1, halo_, Motion()};
+  BoundaryWatch first_{partition_, 0, halo_, Motion()};
+  BoundaryWatch second_{partition_, 1, halo_, Motion()};
   std::vector<Outbox> outboxes_ = std::vector<Outbox>(1);
 };
 
@@ -54,24 +54,24 @@ TEST_F(FrontierTest, TellsOfNewcomersThoseWhoDoNotHoldThem) {
   first_.begin(0);
   second_.begin(0);
   first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
-  EXPECT_TRUE(outboxes_[0].flights.empty());
+  EXPECT_TRUE(outboxes_[0].near_passes.empty());
   first_.note(kLeg, first_.distances(kLeg.end_position), 0, outboxes_);
-  ASSERT_EQ(outboxes_[0].flights.size(), 1U);
-  const Flight& flight = outboxes_[0].flights.front();
-  EXPECT_NEAR(second_.time_within_guard(flight), 0.5, kRounding);
-  EXPECT_LT(second_.time_within_guard(flight), 0.5);
+  ASSERT_EQ(outboxes_[0].near_passes.size(), 1U);
+  const NearPass& pass = outboxes_[0].near_passes.front();
+  EXPECT_NEAR(second_.time_within_guard(pass), 0.5, kRounding);
+  EXPECT_LT(second_.time_within_guard(pass), 0.5);
   // An own sphere that has been half a unit outside may have met it earlier.
   std::vector<Outbox> others(1);
   const Leg out{.begin = 0, .end = 2, .end_position = {4.5, 2, 2}, .end_velocity = {}};
   second_.note(out, second_.distances(out.end_position), 1, others);
-  EXPECT_NEAR(second_.time_within_guard(flight), 0.25, kRounding);
+  EXPECT_NEAR(second_.time_within_guard(pass), 0.25, kRounding);
 }
 
 TEST_F(FrontierTest, DoesNotTellOfSpheresThatStayAway) {
   first_.begin(0);
   const Leg leg{.begin = 0, .end = 2, .end_position = {2.5, 2, 2}, .end_velocity = {1, 0, 0}};
   first_.note(leg, first_.distances(leg.end_position), 0, outboxes_);
-  EXPECT_TRUE(outboxes_[0].flights.empty());
+  EXPECT_TRUE(outboxes_[0].near_passes.empty());
 }
 
 // A box of random boundaries, its partition, and a leg that may go around the box several times.
@@ -115,7 +115,7 @@ struct RandomLeg {
 };
 
 // Many points of a leg, one by one.
-TEST(Frontier, MissesNothingOnLegsOfAnyLength) {
+TEST(BoundaryWatch, MissesNothingOnLegsOfAnyLength) {
   constexpr double kError = 1e-9;
   constexpr int kPoints = 500;
   std::uint64_t far = 0;
@@ -124,31 +124,31 @@ TEST(Frontier, MissesNothingOnLegsOfAnyLength) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomLeg made(seed);
     const auto own = static_cast<DomainNumber>(made.random.bits() % made.partition.size());
-    Frontier frontier(made.partition, own, made.halo, made.motion);
-    const std::vector<DomainNumber>& neighbors = frontier.neighbors();
+    BoundaryWatch boundary(made.partition, own, made.halo, made.motion);
+    const std::vector<DomainNumber>& neighbors = boundary.neighbors();
     const auto holders = static_cast<NeighborSet>(made.random.bits());
     std::vector<Outbox> outboxes(neighbors.size());
-    frontier.begin(0);
-    frontier.note(made.leg, frontier.distances(made.leg.end_position), holders, outboxes);
-    std::vector<Frontier> others;
+    boundary.begin(0);
+    boundary.note(made.leg, boundary.distances(made.leg.end_position), holders, outboxes);
+    std::vector<BoundaryWatch> others;
     for (const DomainNumber neighbor : neighbors) {
       others.emplace_back(made.partition, neighbor, made.halo, made.motion).begin(0);
     }
     for (int point = 0; point <= kPoints; ++point) {
       const double time = made.leg.end * point / kPoints;
       const Vec3 place = made.position(time);
-      const double outside = frontier.block().distance(place);
-      ASSERT_LE(outside, std::max(0.0, frontier.excursion()) + kError);
+      const double outside = boundary.block().distance(place);
+      ASSERT_LE(outside, std::max(0.0, boundary.excursion()) + kError);
       if (outside > made.halo.farthest() + kError) {
-        ASSERT_LE(frontier.far_since(), time);
+        ASSERT_LE(boundary.far_since(), time);
         ++far;
       }
-      if (frontier.far_since() <= time) break;
+      if (boundary.far_since() <= time) break;
       for (std::size_t k = 0; k < neighbors.size(); ++k) {
         if ((holders >> k & 1) != 0) continue;
         if (others[k].block().distance(place) > others[k].guard() - kError) continue;
-        ASSERT_FALSE(outboxes[k].flights.empty());
-        ASSERT_LE(others[k].time_within_guard(outboxes[k].flights.front()), time);
+        ASSERT_FALSE(outboxes[k].near_passes.empty());
+        ASSERT_LE(others[k].time_within_guard(outboxes[k].near_passes.front()), time);
         ++newcomers;
       }
     }
@@ -161,85 +161,85 @@ TEST(Frontier, MissesNothingOnLegsOfAnyLength) {
 TEST(TimeOfDoubt, IsThatOfTwoSpheresThatMayHaveMet) {
   const Box box = Box::periodic({10, 10, 10});
   const Halo halo{.depth = 2, .slack = 0.5, .contact = 1};
-  const std::vector<Doubt> own{{.since = 3, .center = {0.5, 5, 5}, .extent = 0.25}};
+  const std::vector<Conflict> own{{.since = 3, .center = {0.5, 5, 5}, .extent = 0.25}};
   const auto time = [&](double x, double since) {
-    return time_of_doubt(box, halo, own, std::vector<Doubt>{{since, {x, 5, 5}, 0.5}});
+    return time_of_conflict(box, halo, own, std::vector<Conflict>{{since, {x, 5, 5}, 0.5}});
   };
   EXPECT_EQ(time(2.25, 1), 3);
   EXPECT_EQ(time(2.25, 4), 4);
   EXPECT_EQ(time(2.26, 4), kInfinity);
   EXPECT_EQ(time(8.75, 4), 4) << "across the end of the period";
   EXPECT_EQ(time(8.74, 4), kInfinity);
-  EXPECT_EQ(time_of_doubt(box, halo, own, {}), kInfinity);
+  EXPECT_EQ(time_of_conflict(box, halo, own, {}), kInfinity);
 }
 
-Alarms::Alarm alarm(Slot slot, double time) {
+Wakeups::Wakeup wakeup(Slot slot, double time) {
   return {.time = time, .slot = slot, .path = Time(0)};
 }
 
-std::vector<Slot> taken_by(Alarms& alarms, double until) {
-  std::vector<Alarms::Alarm> taken;
-  alarms.take(until, taken);
+std::vector<Slot> taken_by(Wakeups& wakeups, double until) {
+  std::vector<Wakeups::Wakeup> taken;
+  wakeups.take(until, taken);
   std::vector<Slot> slots;
-  for (const Alarms::Alarm& each : taken) slots.push_back(each.slot);
+  for (const Wakeups::Wakeup& each : taken) slots.push_back(each.slot);
   std::ranges::sort(slots);
   slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
   return slots;
 }
 
-TEST(Alarms, AreTakenOnceWhenTheyAreDue) {
-  Alarms alarms;
-  alarms.restart(0, 10);
-  alarms.set(alarm(0, 5));
-  alarms.set(alarm(1, 1));
-  alarms.set(alarm(2, 5.001));
-  EXPECT_EQ(taken_by(alarms, 0.5), std::vector<Slot>{});
-  EXPECT_EQ(taken_by(alarms, 5), (std::vector<Slot>{0, 1}));
-  EXPECT_EQ(taken_by(alarms, 10), std::vector<Slot>{2});
-  EXPECT_EQ(taken_by(alarms, 10), std::vector<Slot>{});
+TEST(Wakeups, AreTakenOnceWhenTheyAreDue) {
+  Wakeups wakeups;
+  wakeups.restart(0, 10);
+  wakeups.set(wakeup(0, 5));
+  wakeups.set(wakeup(1, 1));
+  wakeups.set(wakeup(2, 5.001));
+  EXPECT_EQ(taken_by(wakeups, 0.5), std::vector<Slot>{});
+  EXPECT_EQ(taken_by(wakeups, 5), (std::vector<Slot>{0, 1}));
+  EXPECT_EQ(taken_by(wakeups, 10), std::vector<Slot>{2});
+  EXPECT_EQ(taken_by(wakeups, 10), std::vector<Slot>{});
 }
 
-TEST(Alarms, AreSetUpToNoTimeBeforeTheFirstStart) {
-  EXPECT_LT(Alarms().horizon(), std::numeric_limits<double>::lowest());
+TEST(Wakeups, AreSetUpToNoTimeBeforeTheFirstStart) {
+  EXPECT_LT(Wakeups().horizon(), std::numeric_limits<double>::lowest());
 }
 
-TEST(Alarms, OfASphereAreAsEarlyAsTheFirst) {
-  Alarms alarms;
-  alarms.restart(0, 10);
-  alarms.set(alarm(0, 3));
-  alarms.set(alarm(0, 8));
-  EXPECT_EQ(taken_by(alarms, 4), std::vector<Slot>{0});
-  EXPECT_EQ(taken_by(alarms, 10), std::vector<Slot>{}) << "whoever takes an alarm sets the next";
-  alarms.set(alarm(1, 9.5));
-  alarms.restart(10, 20);
-  alarms.set(alarm(1, 18));
-  alarms.set(alarm(1, 12));
-  EXPECT_EQ(taken_by(alarms, 13), std::vector<Slot>{1});
-  EXPECT_EQ(taken_by(alarms, 20), std::vector<Slot>{}) << "the later one no longer counts";
+TEST(Wakeups, OfASphereAreAsEarlyAsTheFirst) {
+  Wakeups wakeups;
+  wakeups.restart(0, 10);
+  wakeups.set(wakeup(0, 3));
+  wakeups.set(wakeup(0, 8));
+  EXPECT_EQ(taken_by(wakeups, 4), std::vector<Slot>{0});
+  EXPECT_EQ(taken_by(wakeups, 10), std::vector<Slot>{}) << "whoever takes a wakeup sets the next";
+  wakeups.set(wakeup(1, 9.5));
+  wakeups.restart(10, 20);
+  wakeups.set(wakeup(1, 18));
+  wakeups.set(wakeup(1, 12));
+  EXPECT_EQ(taken_by(wakeups, 13), std::vector<Slot>{1});
+  EXPECT_EQ(taken_by(wakeups, 20), std::vector<Slot>{}) << "the later one no longer counts";
 }
 
 // No sphere is looked at too late, whatever is set, taken and set again; against the least time
 // that was set for each.
-TEST(Alarms, AreNeverLate) {
+TEST(Wakeups, AreNeverLate) {
   constexpr Slot kSlots = 40;
   constexpr double kHorizon = 100;
   Random random(1);
-  Alarms alarms;
-  alarms.restart(0, kHorizon);
+  Wakeups wakeups;
+  wakeups.restart(0, kHorizon);
   std::vector<double> due(kSlots, 2 * kHorizon);
   double now = 0;
   while (now < kHorizon) {
     for (int k = 0; k < 30; ++k) {
       const auto slot = static_cast<Slot>(random.uniform() * kSlots);
       const double time = now + random.uniform() * random.uniform() * (kHorizon - now);
-      alarms.set(alarm(slot, time));
+      wakeups.set(wakeup(slot, time));
       due[slot] = std::min(due[slot], time);
     }
     now = std::min(now + random.uniform(), kHorizon);
-    for (const Slot slot : taken_by(alarms, now)) due[slot] = 2 * kHorizon;
+    for (const Slot slot : taken_by(wakeups, now)) due[slot] = 2 * kHorizon;
     for (Slot slot = 0; slot < kSlots; ++slot) ASSERT_GT(due[slot], now) << slot;
   }
 }
 
 }  // namespace
-}  // namespace hardball::frontier_test
+}  // namespace hardball::boundary_watch_test

@@ -9,12 +9,12 @@
 #include <limits>
 #include <vector>
 
-#include "hardball/domains/alarms.hpp"
 #include "hardball/domains/block_distances.hpp"
 #include "hardball/domains/halo.hpp"
 #include "hardball/domains/messages.hpp"
+#include "hardball/domains/ownership_map.hpp"
 #include "hardball/domains/partition.hpp"
-#include "hardball/domains/residents.hpp"
+#include "hardball/domains/wakeups.hpp"
 #include "hardball/geometry/motion.hpp"
 
 namespace hardball {
@@ -35,18 +35,18 @@ struct Leg {
 /// Watches where the own spheres of a domain fly: how far beyond its block, and how near to blocks of domains
 /// that do not hold them.
 ///
-/// A sphere in the interior needs no watching: it cannot come near the frontier before the horizon unless it
-/// has a contact. For the others an alarm is set, for when they may first matter.
-class Frontier {
+/// A sphere in the interior needs no watching: it cannot come near the boundary before the horizon unless it
+/// has a contact. For the others a wakeup is set, for when they may first matter.
+class BoundaryWatch {
  public:
-  using Alarm = Alarms::Alarm;
+  using Wakeup = Wakeups::Wakeup;
   /// How far a point is outside the own block and those of the neighbors [L].
   struct Distances {
     double own;
     BlockDistances::Distances neighbors;
   };
 
-  Frontier(const Partition& partition, DomainNumber domain, const Halo& halo, const Motion& motion)
+  BoundaryWatch(const Partition& partition, DomainNumber domain, const Halo& halo, const Motion& motion)
       : block_(partition.block(domain)),
         least_half_gap_(block_.least_half_gap() * (1 - 0x1p-30)),
         largest_half_gap_(block_.largest_half_gap() * (1 + 0x1p-30)),
@@ -103,8 +103,8 @@ class Frontier {
     return static_cast<std::uint32_t>(std::min_element(first, first + neighbors_.size()) - first);
   }
 
-  /// Begins to watch anew up to a horizon: an alarm must be set for every own sphere.
-  void restart(double now, double horizon) { alarms_.restart(now, horizon); }
+  /// Begins to watch anew up to a horizon: a wakeup must be set for every own sphere.
+  void restart(double now, double horizon) { wakeups_.restart(now, horizon); }
   /// Begins a window.
   void begin(double now) {
     begin_ = now;
@@ -118,7 +118,7 @@ class Frontier {
                    double now) const {
     const double depth = -block_.distance(point) - halo_.outer();
     return depth > way(speed_before, now - std::max(begin_, since)) &&
-           depth > way(speed_after, alarms_.horizon() - now);
+           depth > way(speed_after, wakeups_.horizon() - now);
   }
 
   /// When the owner or the holders may change of a sphere that these neighbors hold: at once if they do where
@@ -132,13 +132,13 @@ class Frontier {
     const double wait = is_due ? 0 : time_to_pass(distance, largest_component(velocity), fall_);
     return now + wait * (1 - 0x1p-30);
   }
-  /// Sets an alarm, if it is not beyond the horizon.
-  void set_alarm(const Alarm& alarm) {
-    if (alarm.time <= alarms_.horizon()) alarms_.set(alarm);
+  /// Sets a wakeup, if it is not beyond the horizon.
+  void set_wakeup(const Wakeup& wakeup) {
+    if (wakeup.time <= wakeups_.horizon()) wakeups_.set(wakeup);
   }
-  void prefetch_alarm(Slot slot) const { alarms_.prefetch(slot); }
-  /// Takes the alarms up to a time.
-  void take_alarms(double until, std::vector<Alarm>& taken) { alarms_.take(until, taken); }
+  void prefetch_wakeup(Slot slot) const { wakeups_.prefetch(slot); }
+  /// Takes the wakeups up to a time.
+  void take_wakeups(double until, std::vector<Wakeup>& taken) { wakeups_.take(until, taken); }
 
   /// Records a leg of an own sphere that these neighbors hold, and sends it to others that it may concern.
   /// `end` are the distances where it ends.
@@ -159,7 +159,7 @@ class Frontier {
       // From farther away than a box, the nearest image of a block is not known.
       const double first = step > least_period_ ? end.neighbors[neighbor] - step : from.neighbors[neighbor];
       const double least = (first + end.neighbors[neighbor] - step) / 2 - sag;
-      if (least <= halo_.depth) outboxes[neighbor].flights.push_back({begin, first, speed, least});
+      if (least <= halo_.depth) outboxes[neighbor].near_passes.push_back({begin, first, speed, least});
     }
   }
 
@@ -170,14 +170,14 @@ class Frontier {
   double far_since() const { return far_since_; }
   /// Within this distance of the block, spheres may have met own ones in this window [L].
   double guard() const { return (excursion_ + halo_.contact) * (1 + 0x1p-30); }
-  /// When a flight may first have come within the guard [T]; infinity if it did not.
-  double time_within_guard(const Flight& flight) const {
-    if (flight.least > guard()) return std::numeric_limits<double>::infinity();
-    const double distance = flight.distance - guard();
-    return distance > 0 ? flight.begin + distance / flight.speed * (1 - 0x1p-30) : flight.begin;
+  /// When a pass may first have come within the guard [T]; infinity if it did not.
+  double time_within_guard(const NearPass& pass) const {
+    if (pass.least > guard()) return std::numeric_limits<double>::infinity();
+    const double distance = pass.distance - guard();
+    return distance > 0 ? pass.begin + distance / pass.speed * (1 - 0x1p-30) : pass.begin;
   }
 
-  std::size_t memory_bytes() const { return alarms_.memory_bytes(); }
+  std::size_t memory_bytes() const { return wakeups_.memory_bytes(); }
 
  private:
   double way(double speed, double wait) const { return wait * (speed + 0.5 * wait * fall_); }
@@ -224,7 +224,7 @@ class Frontier {
   double begin_ = 0;
   double excursion_ = 0;
   double far_since_ = 0;
-  Alarms alarms_;
+  Wakeups wakeups_;
 };
 
 }  // namespace hardball

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/engine/put.hpp"
+#include "hardball/engine/upsert.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ void put_where_they_will_be(PlainEngine& engine, double wait) {
     const World& world = ahead.world();
     paths.push_back({slot, {world.position(slot, then), world.velocity(slot, then), now}, {}});
   }
-  engine.put_on_paths(paths, now);
+  engine.replace_paths(paths, now);
 }
 
 // Spheres that stay in their regions, and others that do not: the contacts are those of an engine made anew.
@@ -49,7 +49,7 @@ void expect_contacts_of_a_new_engine(const PhaseSettings& phase, Boundary bounda
     SCOPED_TRACE(wait);
     next_contacts(engine, 100);
     put_where_they_will_be(engine, wait);
-    ASSERT_FALSE(engine.is_outdated());
+    ASSERT_FALSE(engine.needs_rebuild());
     ASSERT_NO_THROW(engine.validate());
     PlainEngine made_anew(engine.world(), {PhaseKind::all_pairs, 1}, engine.now());
     const std::vector<Contact> expected = next_contacts(made_anew, 200);

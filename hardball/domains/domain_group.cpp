@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/domains/cluster.hpp"
+#include "hardball/domains/domain_group.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 
 namespace hardball {
 
-Cluster::Cluster(std::vector<std::unique_ptr<Domain>> domains, const Time& now,
-                 const WindowSettings& settings, ForEach for_each, Exchange exchange)
+DomainGroup::DomainGroup(std::vector<std::unique_ptr<Domain>> domains, const Time& now,
+                         const WindowSettings& settings, ForEach for_each, Exchange exchange)
     : domains_(std::move(domains)),
       exchange_(std::move(exchange)),
       settings_(settings),
@@ -23,7 +23,7 @@ Cluster::Cluster(std::vector<std::unique_ptr<Domain>> domains, const Time& now,
   connect();
 }
 
-Cluster::Cluster(const Cluster& other, ForEach for_each)
+DomainGroup::DomainGroup(const DomainGroup& other, ForEach for_each)
     : exchange_(other.exchange_.processes(), other.exchange_.domains()),
       settings_(other.settings_),
       for_each_(std::move(for_each)),
@@ -39,20 +39,20 @@ Cluster::Cluster(const Cluster& other, ForEach for_each)
   connect();
 }
 
-Load Cluster::load() const {
+Load DomainGroup::load() const {
   Load load{{}, window_counters_};
   for (const std::string& part : processes().gather(bytes_of(done_))) append_bytes(part, load.contacts);
   return load;
 }
 
-Time Cluster::now() const {
+Time DomainGroup::now() const {
   Time now = domains_.front()->begin();
   for (const auto& domain : domains_) now = later(now, domain->begin());
   for (const Time& other : processes().gather(now)) now = later(now, other);
   return now;
 }
 
-std::uint64_t Cluster::open_window(double end, std::uint64_t most, const Kept& kept) {
+std::uint64_t DomainGroup::open_window(double end, std::uint64_t most, const Kept& kept) {
   watch_if_due();
   const double begin = committed_;
   const bool may_be_cut = static_cast<double>(most) < 4 * settings_.contacts;
@@ -82,7 +82,7 @@ std::uint64_t Cluster::open_window(double end, std::uint64_t most, const Kept& k
   }
 }
 
-MergedLog Cluster::merged_log() {
+MergedLog DomainGroup::merged_log() {
   std::vector<std::span<const LoggedContact>> logs;
   if (processes().size() == 1) {
     for (const auto& domain : domains_) logs.push_back(domain->log());
@@ -99,14 +99,14 @@ MergedLog Cluster::merged_log() {
   return MergedLog({logs_.begin(), logs_.end()});
 }
 
-void Cluster::commit_window() {
+void DomainGroup::commit_window() {
   const double length = open_.end.high - committed_;
   commit();
   steps_in_a_row_ = open_.is_step ? steps_in_a_row_ + 1 : 0;
   if (!open_.is_step) adapt(length, open_contacts());
 }
 
-void Cluster::cut_window(std::uint64_t contacts) {
+void DomainGroup::cut_window(std::uint64_t contacts) {
   if (open_.is_step && contacts == open_contacts()) return commit_window();
   const double end = open_.end.high;
   undo();
@@ -116,7 +116,7 @@ void Cluster::cut_window(std::uint64_t contacts) {
   }
 }
 
-Event Cluster::next_contact(double end) {
+Event DomainGroup::next_contact(double end) {
   for (;;) {
     watch_if_due();
     const Event next = step(std::min(end, horizon_), false);
@@ -126,13 +126,13 @@ Event Cluster::next_contact(double end) {
   }
 }
 
-bool Cluster::has_events() const {
+bool DomainGroup::has_events() const {
   const bool own =
       std::ranges::any_of(domains_, [](const auto& domain) { return domain->engine().has_events(); });
   return std::ranges::max(processes().gather(own ? 1 : 0)) == 1;
 }
 
-void Cluster::connect() {
+void DomainGroup::connect() {
   bad_.resize(size());
   done_.resize(size());
   peeked_.resize(size());
@@ -145,12 +145,12 @@ void Cluster::connect() {
   exchange_.connect(members);
 }
 
-void Cluster::keep(const Kept& kept) {
+void DomainGroup::keep(const Kept& kept) {
   for (auto& domain : domains_) domain->keep_log(kept.log, kept.sums);
   are_logs_kept_ = kept.log;
 }
 
-std::uint64_t Cluster::most_contacts() const {
+std::uint64_t DomainGroup::most_contacts() const {
   constexpr double kWindows = 16;
   constexpr double kAlways = 256;
   constexpr std::uint64_t kFewest = 4;
@@ -158,9 +158,9 @@ std::uint64_t Cluster::most_contacts() const {
   return std::max(usual >> std::min<std::uint64_t>(steps_in_a_row_, 63), kFewest);
 }
 
-void Cluster::watch_if_due() {
+void DomainGroup::watch_if_due() {
   if (committed_ < horizon_) return;
-  // A near horizon has all spheres looked at often, and up to a far one many need alarms. By a diameter the
+  // A near horizon has all spheres looked at often, and up to a far one many need wakeups. By a diameter the
   // spheres that need one are few.
   constexpr double kFewestWindows = 64;
   constexpr double kMostWindows = 1024;
@@ -170,12 +170,12 @@ void Cluster::watch_if_due() {
   each([&](Domain& domain, std::size_t) { domain.watch(horizon_); });
 }
 
-Cluster::Findings Cluster::compare(double until) {
+DomainGroup::Findings DomainGroup::compare(double until) {
   exchange_.carry_out(Exchange::Round::window);
   each([&](Domain& domain, std::size_t k) { bad_[k] = domain.verify(exchange_.inboxes(k), until); });
-  exchange_.carry_out(Exchange::Round::doubts);
+  exchange_.carry_out(Exchange::Round::conflicts);
   each([&](Domain& domain, std::size_t k) {
-    bad_[k] = std::min(bad_[k], domain.doubtful_since(exchange_.inboxes(k)));
+    bad_[k] = std::min(bad_[k], domain.in_conflict_since(exchange_.inboxes(k)));
   });
   Findings own;
   for (std::size_t k = 0; k < size(); ++k)
@@ -185,7 +185,7 @@ Cluster::Findings Cluster::compare(double until) {
   return all;
 }
 
-void Cluster::commit() {
+void DomainGroup::commit() {
   counted_ = counted_ + open_.contacts;
   for (std::size_t k = 0; k < size(); ++k) done_[k] += domains_[k]->counted().contacts();
   each([&](Domain& domain, std::size_t) { domain.commit(open_.end); });
@@ -206,7 +206,7 @@ void Cluster::commit() {
   }
 }
 
-void Cluster::share_last_passage() {
+void DomainGroup::share_last_passage() {
   Event last = domains_.front()->world().last_passage();
   for (const auto& domain : domains_) {
     if (last < domain->world().last_passage()) last = domain->world().last_passage();
@@ -217,14 +217,14 @@ void Cluster::share_last_passage() {
   for (auto& domain : domains_) domain->set_last_passage(last);
 }
 
-void Cluster::undo() {
+void DomainGroup::undo() {
   each([&](Domain& domain, std::size_t) {
     domain.undo();
     domain.make_ready();
   });
 }
 
-double Cluster::time_before(std::uint64_t contacts) {
+double DomainGroup::time_before(std::uint64_t contacts) {
   std::vector<double> own;
   for (const auto& domain : domains_) {
     for (const LoggedContact& logged : domain->log()) {
@@ -238,7 +238,7 @@ double Cluster::time_before(std::uint64_t contacts) {
   return double_before(*last);
 }
 
-Event Cluster::step(double end, bool executes) {
+Event DomainGroup::step(double end, bool executes) {
   const double begin = committed_;
   for (double until = end;;) {
     each_or_undo([&](Domain& domain, std::size_t k) { peeked_[k] = domain.peek(until); });
@@ -267,13 +267,13 @@ Event Cluster::step(double end, bool executes) {
   }
 }
 
-Event Cluster::earliest_peeked() {
+Event DomainGroup::earliest_peeked() {
   Event earliest = *std::ranges::min_element(peeked_, std::less<Event>());
   for (const Event& other : processes().gather(earliest)) earliest = std::min(earliest, other);
   return earliest;
 }
 
-void Cluster::execute(const Event& next) {
+void DomainGroup::execute(const Event& next) {
   std::vector<Failure> failures(size());
   each_or_undo([&](Domain& domain, std::size_t k) {
     try {
@@ -301,12 +301,12 @@ void Cluster::execute(const Event& next) {
   throw RunFailure(all[static_cast<std::size_t>(told)]);
 }
 
-void Cluster::note_failure(double length) {
+void DomainGroup::note_failure(double length) {
   ++window_counters_.failed;
   window_ = std::max(std::max(window_, length) / 2, least_window());
 }
 
-void Cluster::adapt(double length, std::uint64_t contacts) {
+void DomainGroup::adapt(double length, std::uint64_t contacts) {
   constexpr double kMost = 1.5;
   // Of the flight by a diameter: beyond that, more windows fail because spheres fly out of the halos.
   constexpr double kShortFlight = 0.1;
