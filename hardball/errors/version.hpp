@@ -6,5 +6,5 @@
 
 // The version of the library, from which the build takes it.
 #define HARDBALL_VERSION_MAJOR 0
-#define HARDBALL_VERSION_MINOR 1
+#define HARDBALL_VERSION_MINOR 2
 #define HARDBALL_VERSION_PATCH 0
