@@ -52,8 +52,8 @@ double sign_change(const Polynomial& p, double low, double high) {
     if (!(next > low && next < high) || next == guess) break;
     guess = next;
   }
-  constexpr std::int64_t kFew = 4;
-  for (const double end : {stepped(guess, -kFew), stepped(guess, kFew)}) {
+  constexpr std::int64_t kBeside = 4;
+  for (const double end : {stepped(guess, -kBeside), stepped(guess, kBeside)}) {
     if (!(end > low && end < high)) continue;
     (is_before(end) ? low : high) = end;
   }
