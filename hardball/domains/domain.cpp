@@ -76,7 +76,7 @@ void Domain::watch(double horizon) {
   }
 }
 
-World Domain::residents_of(const World& whole, std::span<const DomainNumber> owners, const Time& now) {
+World Domain::spheres_of(const World& whole, std::span<const DomainNumber> owners, const Time& now) {
   std::vector<Slot> slots;
   for (Slot slot = 0; slot < whole.size(); ++slot) {
     const bool is_own = owners[slot] == number_;
@@ -143,7 +143,7 @@ PathRecord Domain::record_of(Slot slot, SphereId id, const Contact& contact) con
           contact.is_collision() ? partner : PathRecord::kWall};
 }
 
-HARDBALL_NEVER_INLINE void Domain::note_near_frontier(Slot slot, SphereId id, const Leg& leg,
+HARDBALL_NEVER_INLINE void Domain::note_near_boundary(Slot slot, SphereId id, const Leg& leg,
                                                       const Vec3& after, const Contact& contact,
                                                       Slot partner) {
   const NeighborSet holders = ownership_.holders(slot);

@@ -54,7 +54,7 @@ class Domain {
         boundary_(partition, number, halo, whole.motion()),
         phase_(phase.within(boundary_.block().surroundings(halo.outer()))),
         outboxes_(boundary_.neighbors().size()),
-        engine_(residents_of(whole, owners, now), phase_, now) {}
+        engine_(spheres_of(whole, owners, now), phase_, now) {}
 
   DomainNumber number() const { return number_; }
   /// The begin of the window, or of the next.
@@ -194,7 +194,7 @@ class Domain {
     }
   };
 
-  World residents_of(const World& whole, std::span<const DomainNumber> owners, const Time& now);
+  World spheres_of(const World& whole, std::span<const DomainNumber> owners, const Time& now);
 
   void remove_at(Slot slot, const Time& moment);
 
@@ -245,10 +245,10 @@ class Domain {
     if (holders == 0 && boundary_.is_interior(position, largest_component(before), since.high,
                                               largest_component(after), now)) [[likely]]
       return;
-    note_near_frontier(slot, id, {since.high, now, position, before}, after, contact, partner);
+    note_near_boundary(slot, id, {since.high, now, position, before}, after, contact, partner);
   }
 
-  HARDBALL_NEVER_INLINE void note_near_frontier(Slot slot, SphereId id, const Leg& leg, const Vec3& after,
+  HARDBALL_NEVER_INLINE void note_near_boundary(Slot slot, SphereId id, const Leg& leg, const Vec3& after,
                                                 const Contact& contact, Slot partner);
 
   // The number of the neighbor that owns a ghost.

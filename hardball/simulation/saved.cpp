@@ -18,7 +18,7 @@ namespace hardball {
 namespace {
 
 // A sphere as archives have it.
-struct SavedTraveler {
+struct SavedTransfer {
   SphereTransfer transfer;
 
   static void persist(auto& archive, auto& self) {
@@ -128,7 +128,7 @@ std::string Simulation::save_without_spheres() const {
 }
 
 std::string Simulation::saved_block(const std::vector<SphereTransfer>& block) {
-  std::vector<SavedTraveler> saved;
+  std::vector<SavedTransfer> saved;
   saved.reserve(block.size());
   for (const SphereTransfer& transfer : block) saved.push_back({transfer});
   return archived(saved);
@@ -142,7 +142,7 @@ Simulation Simulation::load_blocks(std::string_view saved, const std::vector<std
   World part = head.setting;
   PostContactState post_contact_state;
   for (const std::string& block : blocks) {
-    std::vector<SavedTraveler> spheres;
+    std::vector<SavedTransfer> spheres;
     restore(block, where, spheres);
     part.insert_all(spheres.size(), [&](std::size_t k) { return spheres[k].transfer.state; });
     for (const auto& [transfer] : spheres)

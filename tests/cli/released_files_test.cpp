@@ -33,7 +33,8 @@ class ReleasedRun : public testing::TestWithParam<Saved> {};
 
 TEST_P(ReleasedRun, IsResumed) {
   const support::ScratchFolder folder;
-  std::filesystem::copy(kReleases / GetParam().folder, folder / "run", std::filesystem::copy_options::recursive);
+  std::filesystem::copy(kReleases / GetParam().folder, folder / "run",
+                        std::filesystem::copy_options::recursive);
   const Outcome outcome = run_program(folder, {"resume", "run", "--until", "2", "--json", "--quiet"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
   EXPECT_EQ(json::parse(outcome.output)["event_log_hash"], GetParam().hash);
@@ -62,9 +63,8 @@ INSTANTIATE_TEST_SUITE_P(Released, ReleasedRun,
 
 TEST(ReleasedPacking, IsResumed) {
   const support::ScratchFolder folder;
-  const Outcome outcome =
-      run_program(folder, {"pack", "--resume", (kReleases / "0.2.0/packing.hbc").string(), "--out", "spheres.xyz",
-                           "--json", "--quiet"});
+  const Outcome outcome = run_program(folder, {"pack", "--resume", (kReleases / "0.2.0/packing.hbc").string(),
+                                               "--out", "spheres.xyz", "--json", "--quiet"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
   const json summary = json::parse(outcome.output);
   EXPECT_EQ(summary["status"], "reached");

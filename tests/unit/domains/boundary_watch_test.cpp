@@ -38,7 +38,7 @@ class BoundaryWatchTest : public testing::Test {
   std::vector<Outbox> outboxes_ = std::vector<Outbox>(1);
 };
 
-TEST_F(FrontierTest, KnowsSinceWhenASphereMayHaveMetOneNotHeld) {
+TEST_F(BoundaryWatchTest, KnowsSinceWhenASphereMayHaveMetOneNotHeld) {
   first_.begin(0);
   EXPECT_EQ(first_.far_since(), kInfinity);
   first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
@@ -50,7 +50,7 @@ TEST_F(FrontierTest, KnowsSinceWhenASphereMayHaveMetOneNotHeld) {
   EXPECT_EQ(first_.far_since(), 1.75) << "from the start of the window on";
 }
 
-TEST_F(FrontierTest, TellsOfNewcomersThoseWhoDoNotHoldThem) {
+TEST_F(BoundaryWatchTest, TellsOfNewcomersThoseWhoDoNotHoldThem) {
   first_.begin(0);
   second_.begin(0);
   first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
@@ -67,7 +67,7 @@ TEST_F(FrontierTest, TellsOfNewcomersThoseWhoDoNotHoldThem) {
   EXPECT_NEAR(second_.time_within_guard(pass), 0.25, kRounding);
 }
 
-TEST_F(FrontierTest, DoesNotTellOfSpheresThatStayAway) {
+TEST_F(BoundaryWatchTest, DoesNotTellOfSpheresThatStayAway) {
   first_.begin(0);
   const Leg leg{.begin = 0, .end = 2, .end_position = {2.5, 2, 2}, .end_velocity = {1, 0, 0}};
   first_.note(leg, first_.distances(leg.end_position), 0, outboxes_);
@@ -158,7 +158,7 @@ TEST(BoundaryWatch, MissesNothingOnLegsOfAnyLength) {
 }
 
 // The later of the moments at which two spheres began to differ, if their cubes come within a contact.
-TEST(TimeOfDoubt, IsThatOfTwoSpheresThatMayHaveMet) {
+TEST(TimeOfConflict, IsThatOfTwoSpheresThatMayHaveMet) {
   const Box box = Box::periodic({10, 10, 10});
   const Halo halo{.depth = 2, .slack = 0.5, .contact = 1};
   const std::vector<Conflict> own{{.since = 3, .center = {0.5, 5, 5}, .extent = 0.25}};

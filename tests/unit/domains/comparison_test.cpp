@@ -101,7 +101,7 @@ TEST_F(ComparisonTest, CorrectsOnlyWhatDiffers) {
 
 // A contact of ghosts matters where they come near the block: there the owner is told to conflict, since
 // when.
-TEST_F(ComparisonTest, DoubtsGhostsThatDifferNearTheBlock) {
+TEST_F(ComparisonTest, ReportsGhostsThatDifferNearTheBlock) {
   EXPECT_EQ(compare({noted(record(1, 2, 1))}, {record(1, 2, 1.5)}), kInfinity);
   ASSERT_EQ(outboxes_[0].conflicts.size(), 1U);
   const Conflict& conflict = outboxes_[0].conflicts.front();
