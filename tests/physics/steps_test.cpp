@@ -72,7 +72,7 @@ Equilibrium equilibrium_of(const World& world, std::uint64_t contacts) {
   Simulation simulation(world);
   simulation.run_contacts(contacts / 4);
   const double begin = simulation.time();
-  const double energy = energy(simulation.world(), simulation.now());
+  const double energy = hardball::energy(simulation.world(), simulation.now());
   const auto spheres = static_cast<double>(world.size());
   Equilibrium found;
   double kinetic = kinetic_energy(simulation.world(), simulation.now());
