@@ -839,8 +839,8 @@ struct Recorded {
 
 // Runs to `until`, recording everything; at times `check_every` apart the chunk is closed and `check` called.
 template <class Check>
-Recorded record(const std::filesystem::path& path, World world, double until, double check_every,
-                const Check& check) {
+Recorded record_bodies(const std::filesystem::path& path, World world, double until, double check_every,
+                       const Check& check) {
   Recorded run{Simulation(support::interacting(std::move(world), every_outcome()))};
   Simulation& simulation = run.simulation;
   RecordingWriter writer(path, {.has_bodies = true, .until = until, .species_names = {"drop", "mist"}},
@@ -859,8 +859,8 @@ Recorded record(const std::filesystem::path& path, World world, double until, do
   return run;
 }
 
-Recorded record(const std::filesystem::path& path, World world, double until) {
-  return record(path, std::move(world), until, until, [](const Simulation&) {});
+Recorded record_bodies(const std::filesystem::path& path, World world, double until) {
+  return record_bodies(path, std::move(world), until, until, [](const Simulation&) {});
 }
 
 // What is at `time`, from the recording.
@@ -906,10 +906,10 @@ void expect_same(const Moment& recorded, const Snapshot& actual) {
 TEST(RecordedBodies, AreThoseOfTheSimulationAtAnyTime) {
   const ScratchFolder folder;
   std::vector<Snapshot> snapshots;
-  const Recorded run =
-      record(folder / "recording.hbr", drops_and_mist(150), 12, 0.5, [&](const Simulation& simulation) {
-        snapshots.push_back({simulation.time(), simulation.world()});
-      });
+  const Recorded run = record_bodies(folder / "recording.hbr", drops_and_mist(150), 12, 0.5,
+                                     [&](const Simulation& simulation) {
+                                       snapshots.push_back({simulation.time(), simulation.world()});
+                                     });
   const Tally& tally = run.simulation.tally();
   ASSERT_GT(tally.mergers(), 10U);
   ASSERT_GT(tally.passes(), 10U);
@@ -977,7 +977,7 @@ TEST(RecordedBodies, AreOfAllSpheresOtherwise) {
 
 TEST(RecordedBodies, GoOnFromChunkToChunk) {
   const ScratchFolder folder;
-  record(folder / "recording.hbr", drops_and_mist(150), 12, 1, [](const Simulation&) {});
+  record_bodies(folder / "recording.hbr", drops_and_mist(150), 12, 1, [](const Simulation&) {});
   RecordingReader reader(folder / "recording.hbr");
   ASSERT_GT(reader.chunks().size(), 2U);
   for (std::size_t k = 1; k < reader.chunks().size(); ++k) {
@@ -989,7 +989,7 @@ TEST(RecordedBodies, GoOnFromChunkToChunk) {
 
 TEST(RecordedBodies, OutcomesCanBeTold) {
   const ScratchFolder folder;
-  const Recorded run = record(folder / "recording.hbr", drops_and_mist(90), 8);
+  const Recorded run = record_bodies(folder / "recording.hbr", drops_and_mist(90), 8);
   RecordingReader reader(folder / "recording.hbr");
   std::array<std::uint64_t, 3> outcomes{};
   for (std::size_t k = 0; k < reader.chunks().size(); ++k) {
@@ -1003,7 +1003,7 @@ TEST(RecordedBodies, OutcomesCanBeTold) {
 
 TEST(RecordedBodies, HaveSpecies) {
   const ScratchFolder folder;
-  record(folder / "recording.hbr", drops_and_mist(90), 0.1);
+  record_bodies(folder / "recording.hbr", drops_and_mist(90), 0.1);
   const RecordingReader reader(folder / "recording.hbr");
   EXPECT_EQ(reader.header().has_bodies, true);
   EXPECT_EQ(reader.header().species_names, (std::vector<std::string>{"drop", "mist"}));
@@ -1069,7 +1069,7 @@ std::string merger(const ScratchFolder& folder) {
   World world(Box::open());
   world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
   world.add({.position = {4, 1, 0}, .velocity = {-1, 0, 0}, .radius = 1});
-  record(folder / "merger.hbr", std::move(world), 3);
+  record_bodies(folder / "merger.hbr", std::move(world), 3);
   return read_text(folder / "merger.hbr");
 }
 

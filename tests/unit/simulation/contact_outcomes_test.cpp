@@ -112,10 +112,10 @@ TEST_P(ContactOutcomes, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentu
     EXPECT_EQ(merged.mass(0), mass);
     EXPECT_NEAR(std::pow(merged.base_radius(0), 3), std::pow(first.radius, 3) + std::pow(second.radius, 3),
                 1e-14 * 8);
-    const Vec3 momentum = first.mass * first.velocity + second.mass * second.velocity;
-    EXPECT_LE(length(momentum(merged, simulation.now()) - momentum), 1e-14);
+    const Vec3 whole_momentum = first.mass * first.velocity + second.mass * second.velocity;
+    EXPECT_LE(length(momentum(merged, simulation.now()) - whole_momentum), 1e-14);
     const Vec3 moments = first.mass * first.position + second.mass * second.position;
-    const Vec3 center = (1 / mass) * (moments + simulation.time() * momentum);
+    const Vec3 center = (1 / mass) * (moments + simulation.time() * whole_momentum);
     EXPECT_LE(length(simulation.position(0) - center), 1e-13);
     const auto own = [](const Sphere& sphere) {
       return (sphere.inertia_factor * sphere.mass * sphere.radius * sphere.radius) * sphere.spin;
@@ -123,7 +123,7 @@ TEST_P(ContactOutcomes, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentu
     const Vec3 angular_momentum = first.mass * cross(first.position, first.velocity) +
                                   second.mass * cross(second.position, second.velocity) + own(first) +
                                   own(second);
-    const Vec3 orbital = mass * cross(center, (1 / mass) * momentum);
+    const Vec3 orbital = mass * cross(center, (1 / mass) * whole_momentum);
     const double inertia = merged.inertia_factor(0) * mass * merged.base_radius(0) * merged.base_radius(0);
     EXPECT_LE(length(orbital + inertia * merged.spin(0) - angular_momentum), 1e-12);
   }
