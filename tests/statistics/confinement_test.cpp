@@ -184,7 +184,7 @@ TEST(Gravity, KeepsTheEnergyOfAGasBetweenWalls) {
   const double energy = hardball::energy(world, Time(0));
   Simulation simulation(world);
   simulation.run_contacts(100'000);
-  EXPECT_NEAR(energy(simulation.world(), simulation.now()), energy, 1e-10 * std::fabs(energy));
+  EXPECT_NEAR(hardball::energy(simulation.world(), simulation.now()), energy, 1e-10 * std::fabs(energy));
   simulation.validate();
 }
 
