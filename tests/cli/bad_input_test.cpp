@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -15,11 +14,7 @@
 namespace hardball::bad_input_test {
 namespace {
 
-using support::Arguments;
-using support::Outcome;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 using Fragments = std::vector<std::string>;
 
@@ -89,21 +84,9 @@ void PrintTo(const BadInput& input, std::ostream* out) {
 }
 
 std::string scenario_of(const BadInput& input) {
-  std::string text = support::kSmallGas;
+  std::string text = kSmallGas;
   if (!input.line.empty()) text.replace(text.find(input.line), input.line.size(), input.replacement);
   return text;
-}
-
-void expect_refusal(const Outcome& outcome, const Fragments& fragments) {
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.output, "");
-  EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
-  EXPECT_TRUE(outcome.messages.starts_with("hardball: ")) << outcome.messages;
-  std::size_t at = 0;
-  for (const std::string& fragment : fragments) {
-    at = outcome.messages.find(fragment, at);
-    ASSERT_NE(at, std::string::npos) << "no '" << fragment << "' in: " << outcome.messages;
-  }
 }
 
 class RefusedInput : public testing::TestWithParam<BadInput> {};
@@ -567,9 +550,8 @@ TEST(RefusedScenario, IsEndless) {
   }
   const std::string endless =
       "while :; do printf '# nothing but comments, for ever and ever\\n'; done | exec ";
-  expect_refusal(
-      support::Program(folder, {"-c", endless + HARDBALL_PROGRAM " run /dev/stdin"}, "/bin/sh").wait(),
-      {"/dev/stdin: ", "16 MiB"});
+  expect_refusal(Program(folder, {"-c", endless + HARDBALL_PROGRAM " run /dev/stdin"}, "/bin/sh").wait(),
+                 {"/dev/stdin: ", "16 MiB"});
 }
 
 TEST(RefusedScenario, HasAKeyThatNeedsQuotes) {
@@ -588,11 +570,11 @@ TEST(RefusedScenario, HasAKeyThatNeedsQuotes) {
 
 class RefusedStart : public testing::Test {
  protected:
-  Outcome start_from(const std::string& snapshot) const {
+  ProgramOutcome start_from(const std::string& snapshot) const {
     write_text(folder_ / "start.xyz", snapshot);
     return run();
   }
-  Outcome run() const {
+  ProgramOutcome run() const {
     write_text(folder_ / "gas.toml",
                "[box]\nsize = [10, 10, 10]\nboundary = ['wall', 'wall', 'wall']\n"
                "[start]\nfile = 'start.xyz'\n[run]\nuntil = 1\n");
@@ -624,7 +606,7 @@ TEST_F(RefusedStart, HasABoxThatIsNotUnderstood) {
 
 // The run uses the box of the scenario.
 TEST_F(RefusedStart, SaysThatItsBoxIsAnother) {
-  const Outcome outcome = start_from(
+  const ProgramOutcome outcome = start_from(
       "1\nLattice=\"9 0 0 0 9 0 0 0 9\" Properties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 0 0 0 0.5\n");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
   const std::string note =
@@ -668,9 +650,7 @@ TEST_F(RefusedStart, HasNoVelocities) {
 
 class RefusedDirectory : public testing::Test {
  protected:
-  RefusedDirectory() {
-    write_text(folder_ / "gas.toml", support::kSmallGas + "[output]\nsnapshots_every = 1\n");
-  }
+  RefusedDirectory() { write_text(folder_ / "gas.toml", kSmallGas + "[output]\nsnapshots_every = 1\n"); }
 
   ScratchFolder folder_;
 };
@@ -680,7 +660,7 @@ TEST_F(RefusedDirectory, IsAFile) {
   expect_refusal(run_program(folder_, {"run", "gas.toml", "--out", "out"}), {"out: ", "directory"});
   expect_refusal(run_program(folder_, {"run", "gas.toml", "--out", "out/deeper"}),
                  {"out/deeper: ", "directory"});
-  EXPECT_EQ(support::read_text(folder_ / "out"), "precious");
+  EXPECT_EQ(read_text(folder_ / "out"), "precious");
 }
 
 TEST_F(RefusedDirectory, HoldsADirectoryWhereAFileShouldBe) {
@@ -707,8 +687,8 @@ TEST_F(RefusedDirectory, HoldsLinksToFilesOfOthers) {
     const bool is_folder = name.ends_with("measures") || name.ends_with("checkpoints");
     std::filesystem::create_symlink(folder_ / (is_folder ? "elsewhere" : "precious"), folder_ / name);
     expect_refusal(run_program(folder_, arguments), {name + ": ", "symbolic link", "remove the link"});
-    EXPECT_EQ(support::read_text(folder_ / "precious"), "precious") << name;
-    EXPECT_EQ(support::read_text(folder_ / "elsewhere/quantities.csv"), "precious") << name;
+    EXPECT_EQ(read_text(folder_ / "precious"), "precious") << name;
+    EXPECT_EQ(read_text(folder_ / "elsewhere/quantities.csv"), "precious") << name;
     std::filesystem::remove(folder_ / name);
   };
   for (const std::string name : {"trajectory.xyz", "trajectory.gsd", "events.npy", "summary.json",
@@ -722,13 +702,13 @@ TEST_F(RefusedDirectory, HoldsLinksToFilesOfOthers) {
 
 TEST_F(RefusedDirectory, HoldsTheStartFile) {
   ASSERT_EQ(run_program(folder_, {"run", "gas.toml", "--out", "out"}).exit_code, 0);
-  const std::string trajectory = support::read_text(folder_ / "out/trajectory.xyz");
+  const std::string trajectory = read_text(folder_ / "out/trajectory.xyz");
   write_text(folder_ / "again.toml",
              "[box]\nsize = [10, 10, 10]\nboundary = ['wall', 'wall', 'wall']\n"
              "[start]\nfile = 'out/trajectory.xyz'\n[run]\nuntil = 1\n[output]\nsnapshots_every = 1\n");
   expect_refusal(run_program(folder_, {"run", "again.toml", "--out", "out"}),
                  {"trajectory.xyz: ", "overwrite"});
-  EXPECT_EQ(support::read_text(folder_ / "out/trajectory.xyz"), trajectory);
+  EXPECT_EQ(read_text(folder_ / "out/trajectory.xyz"), trajectory);
 }
 
 }  // namespace

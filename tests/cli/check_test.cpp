@@ -7,32 +7,21 @@
 #include <cstdlib>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "cli/program.hpp"
 
 namespace hardball::check_test {
 namespace {
 
-using support::Arguments;
-using support::Outcome;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
-class WhatCheckExpects : public testing::Test {
+class WhatCheckExpects : public ProgramTest {
  protected:
   // What check prints of a scenario.
   std::string output(const std::string& scenario, const Arguments& more = {}) {
     write_text(folder_ / "scenario.toml", scenario);
-    Arguments arguments{"check", "scenario.toml"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run_program(folder_, arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
-    return outcome.output;
+    return succeed({"check", "scenario.toml"}, more).output;
   }
-
-  ScratchFolder folder_;
 };
 
 std::string line_of(const std::string& output, const std::string& name) {
@@ -118,9 +107,7 @@ until = 1.0
 
 TEST_F(WhatCheckExpects, RefusesTooManySpheresForTheBox) {
   write_text(folder_ / "scenario.toml", gas("100_000_000", "300"));
-  const Outcome outcome = run_program(folder_, {"check", "scenario.toml"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("cannot exist"), std::string::npos) << outcome.messages;
+  expect_refusal(run_program(folder_, {"check", "scenario.toml"}), {"cannot exist"});
 }
 
 const std::string kCollapse = "by inelastic collapse, unless settle or contact_duration is set";

@@ -15,41 +15,32 @@
 namespace hardball::convert_test {
 namespace {
 
-using support::expect_written;
-using support::Outcome;
-using support::read_text;
-using support::run_program;
-using support::write_text;
+using namespace support;
 
-class Convert : public testing::Test {
+class Convert : public ProgramTest {
  protected:
   Convert() {
-    write_text(folder_ / "gas.toml", support::kSmallGas +
+    write_text(folder_ / "gas.toml", kSmallGas +
                                          "[output]\ndirectory = 'out'\nsnapshots_every = 1\n"
                                          "trajectory = ['xyz', 'xyz.zst', 'gsd', 'lammps', 'vtp']\n"
                                          "event_log = true\nrecording = true\n");
     EXPECT_EQ(run_program(folder_, {"run", "gas.toml", "--quiet"}).exit_code, 0);
   }
 
-  Outcome convert(const std::string& in, const std::string& out, const support::Arguments& more = {}) {
-    support::Arguments arguments{"convert", in, out};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_program(folder_, arguments);
+  ProgramOutcome convert(const std::string& in, const std::string& out, const Arguments& more = {}) {
+    return program({"convert", in, out}, more);
   }
-  std::string text(const std::string& name) { return read_text(folder_ / name); }
-
-  support::ScratchFolder folder_;
 };
 
 TEST_F(Convert, WritesWhatARunWrites) {
   for (const std::string in : {"out/trajectory.xyz", "out/trajectory.xyz.zst", "out/trajectory.gsd"}) {
     for (const std::string ending : {"xyz", "xyz.zst", "gsd", "lammpstrj"}) {
-      const Outcome outcome = convert(in, "a." + ending, {"--overwrite"});
+      const ProgramOutcome outcome = convert(in, "a." + ending, {"--overwrite"});
       EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
       expect_written(outcome.output, folder_, "a." + ending, "6 frames");
       EXPECT_EQ(text("a." + ending), text("out/trajectory." + ending)) << in << " to " << ending;
     }
-    const Outcome outcome = convert(in, "trajectory.pvd", {"--overwrite"});
+    const ProgramOutcome outcome = convert(in, "trajectory.pvd", {"--overwrite"});
     EXPECT_EQ(outcome.exit_code, 0);
     std::uintmax_t bytes = std::filesystem::file_size(folder_ / "trajectory.pvd");
     for (const auto& frame : std::filesystem::directory_iterator(folder_ / "trajectory"))
@@ -61,7 +52,7 @@ TEST_F(Convert, WritesWhatARunWrites) {
 }
 
 TEST_F(Convert, TakesTheLastFrameForATableAndAnyThatIsAskedFor) {
-  const Outcome outcome = convert("out/trajectory.gsd", "last.csv");
+  const ProgramOutcome outcome = convert("out/trajectory.gsd", "last.csv");
   EXPECT_EQ(outcome.exit_code, 0);
   expect_written(outcome.output, folder_, "last.csv", "1 frame");
   EXPECT_EQ(convert("out/trajectory.gsd", "fifth.csv", {"--frame", "5"}).exit_code, 0);
@@ -73,31 +64,26 @@ TEST_F(Convert, TakesTheLastFrameForATableAndAnyThatIsAskedFor) {
 }
 
 TEST_F(Convert, SaysThatVelocitiesAreMissing) {
-  const Outcome outcome = convert("out/trajectory.xyz", "a.sph");
+  const ProgramOutcome outcome = convert("out/trajectory.xyz", "a.sph");
   EXPECT_EQ(outcome.messages, "");
-  const Outcome back = convert("a.sph", "b.xyz");
+  const ProgramOutcome back = convert("a.sph", "b.xyz");
   EXPECT_EQ(back.exit_code, 0);
   EXPECT_NE(back.messages.find("no velocities"), std::string::npos) << back.messages;
 }
 
-void expect_refusal(const Outcome& outcome, const std::string& fragment) {
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find(fragment), std::string::npos) << outcome.messages;
-}
-
 TEST_F(Convert, RefusesWhatItCannotDo) {
   const std::string before = text("out/trajectory.xyz");
-  expect_refusal(convert("out/trajectory.xyz", "out/trajectory.xyz"), "would overwrite");
-  expect_refusal(convert("out/trajectory.xyz", "a.dcd"), "a.dcd: unknown file extension");
-  expect_refusal(convert("out/trajectory.pvd", "a.xyz"), "cannot be read");
-  expect_refusal(convert("out/trajectory.xyz", "a.xyz", {"--frame", "6"}), "--frame: there is no frame 6");
-  expect_refusal(convert("out/trajectory.xyz", "a.xyz", {"--frame", "last"}), "--frame: 'last'");
-  expect_refusal(convert("missing.xyz", "a.xyz"), "missing.xyz: the file cannot be read");
-  expect_refusal(convert("out/events.npy", "a.xyz"), "out/events.npy: there is no column 'x'");
-  expect_refusal(convert("out/trajectory.xyz", "nowhere/a.xyz"), "nowhere/a.xyz: cannot be written");
+  expect_refusal(convert("out/trajectory.xyz", "out/trajectory.xyz"), {"would overwrite"});
+  expect_refusal(convert("out/trajectory.xyz", "a.dcd"), {"a.dcd: unknown file extension"});
+  expect_refusal(convert("out/trajectory.pvd", "a.xyz"), {"cannot be read"});
+  expect_refusal(convert("out/trajectory.xyz", "a.xyz", {"--frame", "6"}), {"--frame: there is no frame 6"});
+  expect_refusal(convert("out/trajectory.xyz", "a.xyz", {"--frame", "last"}), {"--frame: 'last'"});
+  expect_refusal(convert("missing.xyz", "a.xyz"), {"missing.xyz: the file cannot be read"});
+  expect_refusal(convert("out/events.npy", "a.xyz"), {"out/events.npy: there is no column 'x'"});
+  expect_refusal(convert("out/trajectory.xyz", "nowhere/a.xyz"), {"nowhere/a.xyz: cannot be written"});
   // A frame in the middle that is damaged: nothing is left.
   write_text(folder_ / "damaged.xyz", before + "1\nProperties=pos:R:3:velo:R:3:radius:R:1\n1 2 3 4 5 6 x\n");
-  expect_refusal(convert("damaged.xyz", "a.gsd"), "damaged.xyz:");
+  expect_refusal(convert("damaged.xyz", "a.gsd"), {"damaged.xyz:"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.gsd"));
   EXPECT_EQ(text("out/trajectory.xyz"), before);
 }
@@ -107,7 +93,7 @@ TEST_F(Convert, ReplacesAFileOnlyIfItIsTold) {
     ASSERT_EQ(convert("out/trajectory.xyz", name).exit_code, 0);
     const std::string before = text(name);
     expect_refusal(convert("out/trajectory.xyz", name, {"--frame", "0"}),
-                   name + ": the file exists already; name another file, or replace it with --overwrite");
+                   {name + ": the file exists already; name another file, or replace it with --overwrite"});
     EXPECT_TRUE(text(name) == before);
     EXPECT_EQ(convert("out/trajectory.xyz", name, {"--frame", "0", "--overwrite"}).exit_code, 0);
     EXPECT_FALSE(text(name) == before);
@@ -122,8 +108,8 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
 
 TEST_F(Convert, TellsOfTheOthersWhatFilesHold) {
   write_text(folder_ / "notes.md", "mine");
-  const Outcome outcome = run_program(folder_, {"info", "notes.md", "missing.hbr", "gas.toml", ".",
-                                                "out/checkpoint.hbc", "out/summary.json"});
+  const ProgramOutcome outcome = run_program(folder_, {"info", "notes.md", "missing.hbr", "gas.toml", ".",
+                                                       "out/checkpoint.hbc", "out/summary.json"});
   EXPECT_EQ(outcome.exit_code, 2);
   expect_parts(outcome.messages, {"notes.md: unknown file extension", "missing.hbr: the file cannot be read",
                                   ".: it holds no files of a run"});
@@ -136,7 +122,7 @@ TEST_F(Convert, TellsOfTheOthersWhatFilesHold) {
 }
 
 TEST_F(Convert, TellsWhatADirectoryHolds) {
-  const Outcome whole = run_program(folder_, {"info", "out"});
+  const ProgramOutcome whole = run_program(folder_, {"info", "out"});
   EXPECT_EQ(whole.exit_code, 0) << whole.messages;
   expect_parts(whole.output,
                {"out: output of a run that has ended\n", "out/summary.json: ", "out/checkpoint.hbc: ",
@@ -146,7 +132,7 @@ TEST_F(Convert, TellsWhatADirectoryHolds) {
   std::string recording = text("out/recording.hbr");
   recording[recording.size() - 100] ^= 1;
   write_text(folder_ / "out/recording.hbr", recording);
-  const Outcome damaged = run_program(folder_, {"info", "out", "gas.toml"});
+  const ProgramOutcome damaged = run_program(folder_, {"info", "out", "gas.toml"});
   EXPECT_EQ(damaged.exit_code, 2);
   expect_parts(damaged.output,
                {"out: output of a run that has not ended\n", "out/recording.hbr: ", "gas.toml: "});
@@ -155,8 +141,9 @@ TEST_F(Convert, TellsWhatADirectoryHolds) {
 }
 
 TEST_F(Convert, TellsWhatFilesHold) {
-  const Outcome outcome = run_program(folder_, {"info", "out/trajectory.gsd", "out/trajectory.lammpstrj",
-                                                "out/events.npy", "out/recording.hbr"});
+  const ProgramOutcome outcome = run_program(
+      folder_,
+      {"info", "out/trajectory.gsd", "out/trajectory.lammpstrj", "out/events.npy", "out/recording.hbr"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
   for (const char* fragment :
        {"out/trajectory.gsd: GSD, schema hoomd, ", "  frames    6\n", "  spheres   20\n",
@@ -165,7 +152,7 @@ TEST_F(Convert, TellsWhatFilesHold) {
         "out/events.npy: event log, ", "out/recording.hbr: recording of gas, ", "  contacts  "}) {
     EXPECT_NE(outcome.output.find(fragment), std::string::npos) << fragment << " in\n" << outcome.output;
   }
-  expect_refusal(run_program(folder_, {"info"}), "FILE is required");
+  expect_refusal(run_program(folder_, {"info"}), {"FILE is required"});
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace hardball::copies_test {
 namespace {
 
 namespace fs = std::filesystem;
-using support::Outcome;
+using namespace support;
 
 // An environment variable while the object lives.
 class Variable {
@@ -33,19 +33,18 @@ class Copies : public testing::Test {
  protected:
   Copies() {
     fs::copy_file(HARDBALL_PROGRAM, program_);
-    support::write_text(folder_ / "gas.toml", support::kSmallGas);
+    write_text(folder_ / "gas.toml", kSmallGas);
   }
 
   void add_plugin(const fs::path& file) const { fs::copy_file(file, plugin_); }
 
-  Outcome run(const support::Arguments& arguments) const {
-    return support::Program(folder_, arguments, program_.string()).wait();
+  ProgramOutcome run(const Arguments& arguments) const {
+    return Program(folder_, arguments, program_.string()).wait();
   }
 
   void expect_refusal(const std::string& message) const {
-    for (const support::Arguments& arguments :
-         {support::Arguments{"run", "gas.toml", "--out", "out"}, {"resume", "out"}}) {
-      const Outcome outcome = run(arguments);
+    for (const Arguments& arguments : {Arguments{"run", "gas.toml", "--out", "out"}, {"resume", "out"}}) {
+      const ProgramOutcome outcome = run(arguments);
       EXPECT_EQ(outcome.exit_code, 2);
       EXPECT_EQ(outcome.messages, "hardball: " + message + "\n");
     }
@@ -53,10 +52,10 @@ class Copies : public testing::Test {
     EXPECT_EQ(run({"check", "gas.toml"}).exit_code, 0);
   }
 
-  support::ScratchFolder own_;
+  ScratchFolder own_;
   fs::path program_ = own_ / "hardball";
   fs::path plugin_ = own_ / "hardball_mpi.so";
-  support::ScratchFolder folder_;
+  ScratchFolder folder_;
 };
 
 TEST_F(Copies, AreRefusedWithoutAPlugin) {
@@ -76,7 +75,7 @@ TEST_F(Copies, AreRefusedWithoutAPlugin) {
 }
 
 TEST_F(Copies, AreRefusedWithAPluginThatCannotBeLoaded) {
-  support::write_text(plugin_, "no library");
+  write_text(plugin_, "no library");
   const Variable size("OMPI_COMM_WORLD_SIZE", "2");
   const Variable rank("PMIX_RANK", "1");
   expect_refusal(
@@ -119,13 +118,13 @@ TEST_F(Copies, OfWhichThereIsOneRun) {
 }
 
 TEST_F(Copies, LoadNothingWhereThereAreNone) {
-  support::write_text(plugin_, "no library");
+  write_text(plugin_, "no library");
   EXPECT_EQ(run({"run", "gas.toml", "--quiet"}).exit_code, 0);
 }
 
 TEST(Program, LinksNoMpi) {
-  const support::ScratchFolder folder;
-  const Outcome libraries = support::Program(folder, {HARDBALL_PROGRAM}, "/usr/bin/ldd").wait();
+  const ScratchFolder folder;
+  const ProgramOutcome libraries = Program(folder, {HARDBALL_PROGRAM}, "/usr/bin/ldd").wait();
   EXPECT_EQ(libraries.exit_code, 0);
   EXPECT_NE(libraries.output.find("libstdc++"), std::string::npos);
   EXPECT_EQ(libraries.output.find("libmpi"), std::string::npos) << libraries.output;

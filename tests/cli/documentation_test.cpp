@@ -4,7 +4,6 @@
 // What the program says of itself: its version, its manual, and its completions for bash.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -16,20 +15,11 @@
 namespace hardball::documentation_test {
 namespace {
 
-using support::Arguments;
-using support::Outcome;
-using support::Program;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
-class Documentation : public testing::Test {
+class Documentation : public ProgramTest {
  protected:
-  std::string output(const Arguments& arguments) {
-    const Outcome outcome = run_program(folder_, arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
-    return outcome.output;
-  }
+  std::string output(const Arguments& arguments) { return succeed(arguments).output; }
 
   // The commands that --help lists.
   std::vector<std::string> commands() {
@@ -60,12 +50,10 @@ class Documentation : public testing::Test {
     write_text(folder_ / "complete.bash",
                "set -u; . ./completion.bash; COMP_WORDS=(" + words +
                    ") COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _hardball; echo \"${COMPREPLY[*]}\"");
-    const Outcome outcome = Program(folder_, {"complete.bash"}, "/bin/bash").wait();
+    const ProgramOutcome outcome = Program(folder_, {"complete.bash"}, "/bin/bash").wait();
     EXPECT_EQ(outcome.messages, "") << words;
     return outcome.output.substr(0, outcome.output.find('\n'));
   }
-
-  ScratchFolder folder_;
 };
 
 TEST_F(Documentation, VersionTellsHowTheProgramWasBuilt) {
@@ -138,7 +126,7 @@ TEST_F(Documentation, BashCompletesTheWordAtTheCursor) {
 }
 
 TEST_F(Documentation, TheWordsToChooseFromAreThoseThatTheProgramTakes) {
-  write_text(folder_ / "gas.toml", support::kSmallGas);
+  write_text(folder_ / "gas.toml", kSmallGas);
   for (const std::string option : {"--engine", "--instructions"}) {
     const std::string message = run_program(folder_, {"check", "gas.toml", option, "nonsense"}).messages;
     std::smatch choices;

@@ -13,11 +13,8 @@ namespace hardball::faces_test {
 namespace {
 
 using nlohmann::json;
-using support::Outcome;
-using support::read_text;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
+using FacesOfTheBox = ProgramTest;
 
 const std::string kSlab = R"([box]
 boundary = ["periodic", "periodic", "wall"]
@@ -38,35 +35,33 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(FacesOfTheBox, AreDescribedByCheckWithWhatDoesNothing) {
-  const ScratchFolder folder;
-  write_text(folder / "slab.toml", kSlab);
-  const std::string checked = run_program(folder, {"check", "slab.toml"}).output;
+TEST_F(FacesOfTheBox, AreDescribedByCheckWithWhatDoesNothing) {
+  write_text(folder_ / "slab.toml", kSlab);
+  const std::string checked = run_program(folder_, {"check", "slab.toml"}).output;
   EXPECT_TRUE(has(checked, "thermal at kT = 1, moving with (-1, 0, 0)\n")) << checked;
   EXPECT_TRUE(has(checked, "restitution 0.9, moving with (1, 0, 0), which does nothing")) << checked;
   const std::string rough =
-      run_program(folder, {"check", "slab.toml", "--set", "response.tangential_restitution=0.5"}).output;
+      run_program(folder_, {"check", "slab.toml", "--set", "response.tangential_restitution=0.5"}).output;
   EXPECT_FALSE(has(rough, "does nothing")) << rough;
   const std::string falling =
-      run_program(folder, {"check", "slab.toml", "--set", "box.gravity=[0, 0, -1]"}).output;
+      run_program(folder_, {"check", "slab.toml", "--set", "box.gravity=[0, 0, -1]"}).output;
   EXPECT_TRUE(has(falling, "the run may end by inelastic collapse")) << falling;
 }
 
-TEST(FacesOfTheBox, AreMeasuredAndTheSameForAllEngines) {
-  const ScratchFolder folder;
-  write_text(folder / "slab.toml", kSlab);
-  const Outcome run = run_program(folder, {"run", "slab.toml", "--out", "out", "--json"});
+TEST_F(FacesOfTheBox, AreMeasuredAndTheSameForAllEngines) {
+  write_text(folder_ / "slab.toml", kSlab);
+  const ProgramOutcome run = run_program(folder_, {"run", "slab.toml", "--out", "out", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.messages;
   const json walls = json::parse(run.output)["walls"];
   ASSERT_EQ(walls.size(), 2U);
   EXPECT_EQ(walls[0]["name"], "z_min");
   EXPECT_NE(walls[0]["work"], 0);
-  const std::string profiles = read_text(folder / "out" / "measures" / "flow_profiles.csv");
+  const std::string profiles = read_text(folder_ / "out" / "measures" / "flow_profiles.csv");
   EXPECT_TRUE(has(profiles, "flow_velocity_x_at_z")) << profiles;
-  const std::string report = read_text(folder / "out" / "report.html");
+  const std::string report = read_text(folder_ / "out" / "report.html");
   EXPECT_TRUE(has(report, "Profiles between driven faces"));
   EXPECT_FALSE(has(report, "standard errors of theory")) << "there is none out of equilibrium";
-  const Outcome verified = run_program(folder, {"verify", "slab.toml"});
+  const ProgramOutcome verified = run_program(folder_, {"verify", "slab.toml"});
   EXPECT_EQ(verified.exit_code, 0) << verified.output;
   EXPECT_TRUE(has(verified.output, "paper"));
 }

@@ -17,12 +17,7 @@
 namespace hardball::failure_test {
 namespace {
 
-using support::Outcome;
-using support::Program;
-using support::read_text;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 const std::string kOutput =
     "[output]\ndirectory = \"out\"\nsnapshots_every = 0.5\nevent_log = true\nrecording = true\n";
@@ -42,11 +37,11 @@ std::uint64_t records_there(const std::filesystem::path& path) {
   return bytes / kRecordBytes;
 }
 
-class Failure : public testing::Test {
+class Failure : public ProgramTest {
  protected:
-  Failure() { write_text(folder_ / "gas.toml", support::kSmallGas + kOutput); }
+  Failure() { write_text(folder_ / "gas.toml", kSmallGas + kOutput); }
 
-  void expect_message(const Outcome& outcome, const std::string& part) const {
+  void expect_message(const ProgramOutcome& outcome, const std::string& part) const {
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_TRUE(outcome.messages.starts_with("hardball: ")) << outcome.messages;
     EXPECT_EQ(outcome.messages.find('\n'), outcome.messages.size() - 1) << outcome.messages;
@@ -59,8 +54,6 @@ class Failure : public testing::Test {
     const RecordingReader recording(folder_ / "out/recording.hbr");
     EXPECT_EQ(recording.length(), std::filesystem::file_size(folder_ / "out/recording.hbr"));
   }
-
-  ScratchFolder folder_;
 };
 
 TEST_F(Failure, SaysThatSpheresTouchAtTheStart) {
@@ -73,9 +66,9 @@ TEST_F(Failure, SaysThatSpheresTouchAtTheStart) {
   write_text(folder_ / "touching.toml",
              "[box]\nsize = [4, 4, 4]\nboundary = ['periodic', 'periodic', 'periodic']\n"
              "[start]\nfile = 'touching.xyz'\n[run]\nuntil = 1\n[measures]\nnames = []\n");
-  const Outcome outcome = run_program(folder_, {"run", "touching.toml", "--quiet"});
+  const ProgramOutcome outcome = run_program(folder_, {"run", "touching.toml", "--quiet"});
   expect_message(outcome, "they touch at the start and are locked among others");
-  const Outcome inelastic =
+  const ProgramOutcome inelastic =
       run_program(folder_, {"run", "touching.toml", "--quiet", "--set", "response.restitution=0.9"});
   expect_message(inelastic, "or place spheres that touch at the start farther apart");
 }
@@ -84,7 +77,7 @@ TEST_F(Failure, OfAFullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   std::filesystem::create_directory(folder_ / "out");
   std::filesystem::create_symlink("/dev/full", folder_ / "out/trajectory.xyz");
-  const Outcome outcome = run_program(folder_, {"run", "gas.toml", "--json"});
+  const ProgramOutcome outcome = run_program(folder_, {"run", "gas.toml", "--json"});
   expect_message(outcome, "out/trajectory.xyz: No space left on device");
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(counted_records(folder_ / "out/events.npy"), records_there(folder_ / "out/events.npy"));
@@ -92,7 +85,7 @@ TEST_F(Failure, OfAFullDisk) {
 }
 
 TEST_F(Failure, OfAFileThatMayNotGrow) {
-  const Outcome outcome =
+  const ProgramOutcome outcome =
       Program(folder_, {"run", "gas.toml", "--until", "50"}, HARDBALL_PROGRAM, rlim_t{20'000}).wait();
   expect_message(outcome, "out/trajectory.xyz: File too large");
   EXPECT_NE(outcome.messages.find("the run reached time"), std::string::npos) << outcome.messages;
@@ -106,13 +99,13 @@ TEST_F(Failure, OfTheEventLog) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   std::filesystem::create_directory(folder_ / "out");
   std::filesystem::create_symlink("/dev/full", folder_ / "out/events.npy");
-  const Outcome outcome = run_program(folder_, {"run", "gas.toml"});
+  const ProgramOutcome outcome = run_program(folder_, {"run", "gas.toml"});
   expect_message(outcome, "out/events.npy: No space left on device");
 }
 
 TEST_F(Failure, OfTheStandardOutput) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
-  const Outcome outcome =
+  const ProgramOutcome outcome =
       Program(folder_, {"-c", "exec " HARDBALL_PROGRAM " run gas.toml >/dev/full"}, "/bin/sh").wait();
   expect_message(outcome, "standard output");
   expect_readable_files();
@@ -130,7 +123,7 @@ TEST_P(Interruption, LeavesCompleteFiles) {
     std::this_thread::sleep_for(10ms);
   }
   kill(program.process(), GetParam());
-  const Outcome outcome = program.wait();
+  const ProgramOutcome outcome = program.wait();
   expect_message(outcome, "interrupted at time ");
   EXPECT_NE(outcome.messages.find(" of 1e+06"), std::string::npos) << outcome.messages;
   expect_readable_files();
@@ -187,7 +180,7 @@ TEST_F(Failure, OfAProcessKilledOutrightLosesLittleOfTheEventLog) {
              "header = numpy.lib.format.open_memmap('out/events.npy', mode='r')\n"
              "events = numpy.fromfile('out/events.npy', header.dtype, offset=256)\n"
              "print(len(header), len(events), bool(numpy.all(numpy.diff(events['time']) >= 0)))\n");
-  const Outcome outcome = Program(folder_, {"read.py"}, HARDBALL_PYTHON).wait();
+  const ProgramOutcome outcome = Program(folder_, {"read.py"}, HARDBALL_PYTHON).wait();
   EXPECT_EQ(outcome.output, std::to_string(counted) + " " + std::to_string((bytes - 256) / 49) + " True\n")
       << outcome.messages;
 }
@@ -199,7 +192,7 @@ TEST_F(Failure, OfARunThatCannotContinue) {
              "[[spheres]]\nradius = 0.5\npositions = [[5, 10, 10], [8, 10, 10]]\n"
              "velocities = [[-1, 0, 0], [-2, 0, 0]]\n"
              "[response]\nrestitution = 0.01\n[run]\nuntil = 1e9\n");
-  const Outcome outcome = run_program(folder_, {"run", "collapse.toml"});
+  const ProgramOutcome outcome = run_program(folder_, {"run", "collapse.toml"});
   expect_message(outcome, "the run reached time");
   EXPECT_EQ(outcome.output, "");
 }

@@ -20,27 +20,16 @@
 namespace hardball::measures_test {
 namespace {
 
-using support::Arguments;
-using support::Outcome;
-using support::read_text;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
-class MeasuredRun : public testing::Test {
+class MeasuredRun : public ProgramTest {
  protected:
-  MeasuredRun() { write_text(folder_ / "gas.toml", support::kSmallGas); }
+  MeasuredRun() { write_text(folder_ / "gas.toml", kSmallGas); }
 
   std::string hash(const Arguments& more = {}) {
-    Arguments arguments{"run", "gas.toml", "--json", "--overwrite"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run_program(folder_, arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
-    return nlohmann::json::parse(outcome.output)["event_log_hash"];
+    return json_of({"run", "gas.toml", "--json", "--overwrite"}, more)["event_log_hash"];
   }
   bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / "out" / name); }
-
-  ScratchFolder folder_;
 };
 
 TEST_F(MeasuredRun, WritesAllMeasuresIntoItsDirectoryAndChangesNothing) {
@@ -96,9 +85,8 @@ TEST_F(MeasuredRun, StartsAtTheRequestedTime) {
 }
 
 TEST_F(MeasuredRun, RefusesAnUnknownMeasureAndNamesTheNearest) {
-  const Outcome outcome = run_program(folder_, {"run", "gas.toml", "--set", "measures.names=[\"presure\"]"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("did you mean \"pressure\"?"), std::string::npos) << outcome.messages;
+  expect_refusal(run_program(folder_, {"run", "gas.toml", "--set", "measures.names=[\"presure\"]"}),
+                 {"did you mean \"pressure\"?"});
   for (const char* setting :
        {"measures.every=0", "measures.from=-1", "measures.evry=1", "measures.names=1"}) {
     EXPECT_EQ(run_program(folder_, {"run", "gas.toml", "--set", setting}).exit_code, 2) << setting;
@@ -106,8 +94,8 @@ TEST_F(MeasuredRun, RefusesAnUnknownMeasureAndNamesTheNearest) {
 }
 
 TEST_F(MeasuredRun, WritesWhatItHasWhenInterrupted) {
-  support::Program program(
-      folder_, {"run", "gas.toml", "--unit-costs", "standard", "--out", "out", "--until", "1e12"});
+  Program program(folder_,
+                  {"run", "gas.toml", "--unit-costs", "standard", "--out", "out", "--until", "1e12"});
   for (int i = 0; i < 60000 && !exists("measures"); ++i) usleep(1000);
   usleep(200000);
   kill(program.process(), SIGTERM);
@@ -129,7 +117,7 @@ class HonestRun : public testing::Test {
   };
   void run(const std::string& scenario) {
     write_text(folder_ / "run.toml", scenario);
-    const Outcome outcome = run_program(folder_, {"run", "run.toml", "--out", "out"});
+    const ProgramOutcome outcome = run_program(folder_, {"run", "run.toml", "--out", "out"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
     std::istringstream table(read_text(folder_ / "out/measures/quantities.csv"));
     std::string line;

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +24,7 @@ namespace hardball::support {
 using Arguments = std::vector<std::string>;
 
 /// The exit code of the program and its output.
-struct Outcome {
+struct ProgramOutcome {
   int exit_code = -1;  ///< -1 if a signal killed it.
   std::string output;
   std::string messages;
@@ -53,7 +56,7 @@ class Program {
 
   pid_t process() const { return process_; }
 
-  Outcome wait() const {
+  ProgramOutcome wait() const {
     int status = 0;
     waitpid(process_, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(output_), read_text(messages_)};
@@ -69,8 +72,50 @@ class Program {
   pid_t process_ = -1;
 };
 
-inline Outcome run_program(const ScratchFolder& folder, const Arguments& arguments) {
+inline ProgramOutcome run_program(const ScratchFolder& folder, const Arguments& arguments) {
   return Program(folder, arguments).wait();
+}
+
+/// Tests of the program in a folder of their own.
+class ProgramTest : public testing::Test {
+ protected:
+  /// Runs the program with `arguments` and `more`.
+  ProgramOutcome program(Arguments arguments, const Arguments& more = {}) const {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(folder_, arguments);
+  }
+  /// Runs the program, which must succeed.
+  ProgramOutcome succeed(const Arguments& arguments, const Arguments& more = {}) const {
+    const ProgramOutcome outcome = program(arguments, more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+    return outcome;
+  }
+  /// The object that the program prints, which must succeed.
+  nlohmann::json json_of(const Arguments& arguments, const Arguments& more = {}) const {
+    return nlohmann::json::parse(succeed(arguments, more).output, nullptr, false);
+  }
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+  std::string text(const std::string& name) const { return read_text(folder_ / name); }
+
+  ScratchFolder folder_;
+};
+
+/// Expects that the program has refused what it was asked to do, in a line that contains these, in this
+/// order.
+inline void expect_refusal(const ProgramOutcome& outcome, const std::vector<std::string>& fragments) {
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
+  EXPECT_TRUE(outcome.messages.starts_with("hardball: ")) << outcome.messages;
+  std::size_t at = 0;
+  for (const std::string& fragment : fragments) {
+    at = outcome.messages.find(fragment, at);
+    ASSERT_NE(at, std::string::npos) << "no '" << fragment << "' in: " << outcome.messages;
+  }
+}
+
+inline void expect_in(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 
 /// A gas of 20 spheres in a box with walls.

@@ -14,12 +14,8 @@
 namespace hardball::progress_test {
 namespace {
 
-using support::Arguments;
-using support::Outcome;
-using support::Program;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
+using ProgressElsewhere = ProgramTest;
 
 std::string gas_of(int spheres) {
   return "[box]\nsize = [120, 120, 120]\nboundary = [\"periodic\", \"periodic\", "
@@ -34,7 +30,7 @@ struct Shown {
   int exit_code = -1;
 };
 
-class ProgressOnTerminal : public testing::Test {
+class ProgressOnTerminal : public ProgramTest {
  protected:
   // Sends the program a signal, if one is given, as soon as it has shown the text.
   Shown run(const Arguments& arguments, int signal = 0, const std::string& after = "") const {
@@ -58,8 +54,6 @@ class ProgressOnTerminal : public testing::Test {
     if (WIFEXITED(status)) shown.exit_code = WEXITSTATUS(status);
     return shown;
   }
-
-  ScratchFolder folder_;
 };
 
 TEST_F(ProgressOnTerminal, ShowsTheSetUpAndTheRun) {
@@ -95,25 +89,24 @@ TEST_F(ProgressOnTerminal, IsNotShownIfQuiet) {
 }
 
 // Errors and results are all that is left; a conversion has no other result than its file.
-TEST(Quiet, IsEveryCommand) {
-  const ScratchFolder folder;
-  write_text(folder / "gas.toml", gas_of(100) + "[output]\nsnapshots_every = 1e-3\ntrajectory = \"xyz\"\n");
+TEST_F(ProgressElsewhere, IsAbsentFromQuietCommands) {
+  write_text(folder_ / "gas.toml", gas_of(100) + "[output]\nsnapshots_every = 1e-3\ntrajectory = \"xyz\"\n");
   // Of another box than the file's, and of so dense spheres that they grow into place: two reasons for notes.
-  write_text(folder / "start.toml",
+  write_text(folder_ / "start.toml",
              "[box]\nsize = [130, 130, 130]\nboundary = [\"periodic\", \"periodic\", \"periodic\"]\n"
              "[start]\nfile = \"out/trajectory.xyz\"\n[run]\nuntil = 1e-3\n");
-  write_text(folder / "dense.toml",
+  write_text(folder_ / "dense.toml",
              "[box]\npacking_fraction = 0.4\nboundary = [\"periodic\", \"periodic\", \"periodic\"]\n"
              "[[spheres]]\ncount = 50\nradius = 0.5\nplacement = \"random\"\nspeed = 1\n"
              "[run]\nuntil = 1e-3\n");
-  write_text(folder / "a.csv", "x,y,z,radius\n1,1,1,0.5\n");
+  write_text(folder_ / "a.csv", "x,y,z,radius\n1,1,1,0.5\n");
   const auto expect = [&](Arguments arguments, bool has_result, bool has_note) {
-    const Outcome loud = run_program(folder, arguments);
+    const ProgramOutcome loud = run_program(folder_, arguments);
     EXPECT_EQ(loud.exit_code, 0) << loud.messages;
     EXPECT_EQ(loud.messages != "", has_note) << arguments.front() << ": " << loud.messages;
     arguments.emplace_back("--quiet");
     if (arguments.front() == "convert" || arguments.front() == "run") arguments.emplace_back("--overwrite");
-    const Outcome quiet = run_program(folder, arguments);
+    const ProgramOutcome quiet = run_program(folder_, arguments);
     EXPECT_EQ(quiet.exit_code, 0) << quiet.messages;
     EXPECT_EQ(quiet.messages, "") << arguments.front();
     EXPECT_EQ(quiet.output != "", has_result) << arguments.front() << ": " << quiet.output;
@@ -129,12 +122,11 @@ TEST(Quiet, IsEveryCommand) {
   expect({"convert", "out/trajectory.xyz", "b.csv"}, false, false);
 }
 
-TEST(NoCommand, PrintsHelp) {
-  const ScratchFolder folder;
-  const Outcome outcome = run_program(folder, {});
+TEST_F(ProgressElsewhere, NoCommandPrintsHelp) {
+  const ProgramOutcome outcome = run_program(folder_, {});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.messages, "");
-  EXPECT_EQ(outcome.output, run_program(folder, {"--help"}).output);
+  EXPECT_EQ(outcome.output, run_program(folder_, {"--help"}).output);
   EXPECT_NE(outcome.output.find("Run a scenario"), std::string::npos) << outcome.output;
 }
 
@@ -148,11 +140,10 @@ TEST_F(ProgressOnTerminal, LetsASignalEndTheSetUp) {
   }
 }
 
-TEST(ProgressElsewhere, IsNotShown) {
-  const ScratchFolder folder;
-  write_text(folder / "gas.toml", gas_of(20000));
+TEST_F(ProgressElsewhere, IsNotShown) {
+  write_text(folder_ / "gas.toml", gas_of(20000));
   for (const std::string command : {"run", "check"}) {
-    EXPECT_EQ(run_program(folder, {command, "gas.toml"}).messages, "");
+    EXPECT_EQ(run_program(folder_, {command, "gas.toml"}).messages, "");
   }
 }
 

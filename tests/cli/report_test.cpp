@@ -18,13 +18,7 @@ namespace hardball::report_test {
 namespace {
 
 using nlohmann::json;
-using support::Arguments;
-using support::Outcome;
-using support::Program;
-using support::read_text;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 const std::string kPeriodicGas = R"(# A gas of <300> spheres & more.
 [box]
@@ -39,30 +33,20 @@ temperature = 1.0
 until = 5.0
 )";
 
-class ReportFile : public testing::Test {
+class ReportFile : public ProgramTest {
  protected:
   ReportFile() { write_text(folder_ / "gas.toml", kPeriodicGas); }
 
   json run(const Arguments& more, const std::string& scenario = "gas.toml") {
-    Arguments arguments{"run", scenario, "--json", "--overwrite"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run_program(folder_, arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
-    return json::parse(outcome.output);
+    return json_of({"run", scenario, "--json", "--overwrite"}, more);
   }
 
-  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-
-  void expect_in_report(const std::string& part) const {
-    EXPECT_NE(read_text(folder_ / "out/report.html").find(part), std::string::npos) << part;
-  }
-
-  ScratchFolder folder_;
+  void expect_in_report(const std::string& part) const { expect_in(text("out/report.html"), part); }
 };
 
 TEST_F(ReportFile, IsWrittenBesideTheOthers) {
   const json summary = run({"--out", "out", "--seed", "7", "--set", "run.until=4"});
-  EXPECT_EQ(support::faults_of_page(folder_ / "out/report.html"), "");
+  EXPECT_EQ(faults_of_page(folder_ / "out/report.html"), "");
   expect_in_report("<h1>gas</h1>");
   expect_in_report("A gas of &lt;300&gt; spheres &amp; more.</p>");
   expect_in_report("<strong>Sound.</strong>");
@@ -166,7 +150,7 @@ TEST_F(ReportFile, OfEveryKindOfRunIsValid) {
     Arguments arguments = kind;
     arguments.insert(arguments.end(), {"--out", out});
     run(arguments);
-    EXPECT_EQ(support::faults_of_page(folder_ / (out + "/report.html")), "") << kind[1];
+    EXPECT_EQ(faults_of_page(folder_ / (out + "/report.html")), "") << kind[1];
     const std::string html = read_text(folder_ / (out + "/report.html"));
     // A gas that spreads through open space, or cools, is in no steady state.
     const bool is_steady = kind[1].find("open") == std::string::npos && kind[1] != "response.restitution=0.5";
@@ -181,7 +165,7 @@ TEST_F(ReportFile, OfEveryKindOfRunIsValid) {
 TEST_F(ReportFile, EscapesTheNameOfTheScenario) {
   write_text(folder_ / "a<b>&'c'\xff.toml", kPeriodicGas);
   run({"--out", "out"}, "a<b>&'c'\xff.toml");
-  EXPECT_EQ(support::faults_of_page(folder_ / "out/report.html"), "");
+  EXPECT_EQ(faults_of_page(folder_ / "out/report.html"), "");
   expect_in_report("<h1>a&lt;b&gt;&amp;'c'\uFFFD</h1>");
 }
 
@@ -196,17 +180,17 @@ TEST_F(ReportFile, SaysThatTheRunWasInterrupted) {
   }
   kill(program.process(), SIGINT);
   EXPECT_EQ(program.wait().exit_code, 1);
-  EXPECT_EQ(support::faults_of_page(folder_ / "out/report.html"), "");
+  EXPECT_EQ(faults_of_page(folder_ / "out/report.html"), "");
   expect_in_report("<strong>Interrupted.</strong>");
   expect_in_report(" of 1·10<sup>6</sup>");
 }
 
 TEST_F(ReportFile, IsCompleteOrAbsent) {
   // The report is then the largest file.
-  write_text(folder_ / "gas.toml", support::kSmallGas + "[measures]\nnames = []\n");
+  write_text(folder_ / "gas.toml", kSmallGas + "[measures]\nnames = []\n");
   run({"--out", "out"});
   const std::uintmax_t size = std::filesystem::file_size(folder_ / "out/report.html");
-  const Outcome outcome =
+  const ProgramOutcome outcome =
       Program(folder_, {"run", "gas.toml", "--out", "out", "--overwrite"}, HARDBALL_PROGRAM, size / 2).wait();
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.messages.find("report.html"), std::string::npos) << outcome.messages;
@@ -219,9 +203,8 @@ TEST_F(ReportFile, IsCompleteOrAbsent) {
 
 TEST_F(ReportFile, DoesNotReplaceADirectory) {
   std::filesystem::create_directories(folder_ / "out/report.html");
-  const Outcome outcome = run_program(folder_, {"run", "gas.toml", "--out", "out"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("out/report.html: is a directory"), std::string::npos) << outcome.messages;
+  expect_refusal(run_program(folder_, {"run", "gas.toml", "--out", "out"}),
+                 {"out/report.html: is a directory"});
 }
 
 }  // namespace

@@ -16,35 +16,21 @@ namespace hardball::resume_test {
 namespace {
 
 using nlohmann::json;
-using support::Arguments;
-using support::Outcome;
-using support::read_text;
-using support::run_program;
-using support::write_text;
+using namespace support;
 
-class Resume : public testing::Test {
+class Resume : public ProgramTest {
  protected:
   Resume() {
-    write_text(folder_ / "gas.toml", support::kSmallGas +
+    write_text(folder_ / "gas.toml", kSmallGas +
                                          "[output]\nsnapshots_every = 0.7\nevent_log = true\n"
                                          "recording = true\ncheckpoint_at = [2.0, 1.0]\n");
   }
 
-  json run(const Arguments& words) {
-    Arguments arguments = words;
-    arguments.insert(arguments.end(), {"--json", "--quiet"});
-    const Outcome outcome = run_program(folder_, arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
-    return json::parse(outcome.output, nullptr, false);
-  }
+  json run(const Arguments& arguments) { return json_of(arguments, {"--json", "--quiet"}); }
 
-  void expect_refusal(const Arguments& arguments, const std::string& part) {
-    const Outcome outcome = run_program(folder_, arguments);
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.messages.find(part), std::string::npos) << outcome.messages;
+  void expect_refused(const Arguments& arguments, const std::string& part) {
+    expect_refusal(program(arguments), {part});
   }
-
-  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
 
   // What does not depend on how often the run was resumed, nor on the machine.
   void expect_same(const json& a, const json& b, const std::string& folder_a, const std::string& folder_b) {
@@ -56,8 +42,6 @@ class Resume : public testing::Test {
       EXPECT_EQ(read_text(folder_ / folder_a / name), read_text(folder_ / folder_b / name)) << name;
     }
   }
-
-  support::ScratchFolder folder_;
 };
 
 TEST_F(Resume, ARunThatHasEndedGoesOn) {
@@ -79,10 +63,10 @@ TEST_F(Resume, GoesOnFromACheckpointThatWasKept) {
 TEST_F(Resume, GoesOnAfterAnInterruption) {
   const std::string long_run = "run.until=300";
   const json whole = run({"run", "gas.toml", "--out", "whole", "--set", long_run});
-  support::Program program(folder_, {"run", "gas.toml", "--out", "parts", "--set", long_run});
+  Program program(folder_, {"run", "gas.toml", "--out", "parts", "--set", long_run});
   for (int i = 0; i < 60000 && !exists("parts/trajectory.xyz"); ++i) usleep(1000);
   kill(program.process(), SIGTERM);
-  const Outcome outcome = program.wait();
+  const ProgramOutcome outcome = program.wait();
   if (outcome.exit_code != 0) {
     EXPECT_NE(outcome.messages.find("'hardball resume parts' resumes it"), std::string::npos)
         << outcome.messages;
@@ -95,7 +79,7 @@ TEST_F(Resume, AWholeRunHasNothingToDo) {
   const json whole = run({"run", "gas.toml", "--out", "out"});
   for (const Arguments& arguments :
        {Arguments{"resume", "out"}, {"resume", "out", "--until", "5"}, {"resume", "out", "--until", "5.0"}}) {
-    const Outcome outcome = run_program(folder_, arguments);
+    const ProgramOutcome outcome = run_program(folder_, arguments);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.output, "");
     EXPECT_EQ(
@@ -107,16 +91,16 @@ TEST_F(Resume, AWholeRunHasNothingToDo) {
 }
 
 TEST_F(Resume, RefusesWhatIsNoUnfinishedRun) {
-  expect_refusal({"resume", "nowhere"}, "nowhere/checkpoint.hbc: there is no checkpoint");
+  expect_refused({"resume", "nowhere"}, "nowhere/checkpoint.hbc: there is no checkpoint");
   run({"run", "gas.toml", "--out", "out"});
-  expect_refusal({"resume", "out", "--until", "4"}, "the run has reached time 5");
-  expect_refusal({"resume", "out", "--until", "x"}, "--until");
+  expect_refused({"resume", "out", "--until", "4"}, "the run has reached time 5");
+  expect_refused({"resume", "out", "--until", "x"}, "--until");
   const std::string checkpoint = read_text(folder_ / "out/checkpoint.hbc");
   write_text(folder_ / "out/checkpoint.hbc", checkpoint.substr(0, checkpoint.size() / 2));
-  expect_refusal({"resume", "out", "--until", "6"}, "out/checkpoint.hbc: ends too early");
+  expect_refused({"resume", "out", "--until", "6"}, "out/checkpoint.hbc: ends too early");
   write_text(folder_ / "out/checkpoint.hbc", checkpoint);
   std::filesystem::remove(folder_ / "out/events.npy");
-  expect_refusal({"resume", "out", "--until", "6"},
+  expect_refused({"resume", "out", "--until", "6"},
                  "out/events.npy: the file that the run continues is gone");
   EXPECT_FALSE(exists("out/run.lock"));
 }
@@ -124,17 +108,16 @@ TEST_F(Resume, RefusesWhatIsNoUnfinishedRun) {
 TEST_F(Resume, ARunDoesNotReplaceAnother) {
   run({"run", "gas.toml", "--out", "out"});
   const std::string summary = read_text(folder_ / "out/summary.json");
-  expect_refusal({"run", "gas.toml", "--out", "out"}, "out: holds trajectory.xyz of another run");
+  expect_refused({"run", "gas.toml", "--out", "out"}, "out: holds trajectory.xyz of another run");
   EXPECT_EQ(read_text(folder_ / "out/summary.json"), summary);
   run({"run", "gas.toml", "--out", "out", "--overwrite", "--set", "output.checkpoint_at=[]"});
   EXPECT_FALSE(exists("out/checkpoints"));
 }
 
 TEST_F(Resume, ADirectoryBelongsToOneRunAtATime) {
-  support::Program first(folder_,
-                         {"run", "gas.toml", "--unit-costs", "standard", "--out", "out", "--until", "1e9"});
+  Program first(folder_, {"run", "gas.toml", "--unit-costs", "standard", "--out", "out", "--until", "1e9"});
   for (int i = 0; i < 60000 && !exists("out/events.npy"); ++i) usleep(1000);
-  expect_refusal({"run", "gas.toml", "--out", "out", "--overwrite"}, "out: another run is writing to it");
+  expect_refused({"run", "gas.toml", "--out", "out", "--overwrite"}, "out: another run is writing to it");
   kill(first.process(), SIGKILL);
   first.wait();
   EXPECT_TRUE(exists("out/run.lock"));
@@ -145,9 +128,9 @@ TEST_F(Resume, ADirectoryBelongsToOneRunAtATime) {
 TEST_F(Resume, GoesOnFromTheStart) {
   const json whole = run({"run", "gas.toml", "--out", "whole", "--set", "output.checkpoint_at=[]"});
   // Files of five kilobytes: far less than the run writes, enough for its first checkpoint.
-  const Outcome failed =
-      support::Program(folder_, {"run", "gas.toml", "--out", "parts", "--set", "output.checkpoint_at=[]"},
-                       HARDBALL_PROGRAM, 5000)
+  const ProgramOutcome failed =
+      Program(folder_, {"run", "gas.toml", "--out", "parts", "--set", "output.checkpoint_at=[]"},
+              HARDBALL_PROGRAM, 5000)
           .wait();
   EXPECT_EQ(failed.exit_code, 1) << failed.messages;
   EXPECT_NE(failed.messages.find("the run reached time"), std::string::npos) << failed.messages;
@@ -165,7 +148,7 @@ TEST_F(Resume, RefusesFilesThatHoldSomethingElse) {
     std::string changed = whole;
     changed[at] ^= 4;
     write_text(folder_ / "out" / name, changed);
-    expect_refusal({"resume", "out", "--until", "6"}, "does not hold what was written");
+    expect_refused({"resume", "out", "--until", "6"}, "does not hold what was written");
     EXPECT_TRUE(read_text(folder_ / "out" / name) == changed);
     write_text(folder_ / "out" / name, whole);
   }
@@ -176,8 +159,7 @@ TEST_F(Resume, RefusesFilesThatHoldSomethingElse) {
 TEST_F(Resume, ACheckpointFromWhichARunGoesOnIsTheCurrentOne) {
   run({"run", "gas.toml", "--out", "out", "--set", "measures.names=[]"});
   const std::string kept = read_text(folder_ / "out/checkpoints/1.hbc");
-  support::Program(folder_, {"resume", "out", "--from", "checkpoints/1.hbc", "--until", "1e9"},
-                   HARDBALL_PROGRAM, 5000)
+  Program(folder_, {"resume", "out", "--from", "checkpoints/1.hbc", "--until", "1e9"}, HARDBALL_PROGRAM, 5000)
       .wait();
   EXPECT_TRUE(read_text(folder_ / "out/checkpoint.hbc") == kept);
   run({"resume", "out", "--until", "5"});

@@ -14,15 +14,13 @@
 #include <vector>
 
 #include "hardball/archive/archive.hpp"
-#include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::cli::run_files_test {
 namespace {
 
-using support::read_text;
-using support::ScratchFolder;
+using namespace support;
 
 using Files = std::map<std::string, std::string>;
 

@@ -20,12 +20,7 @@ namespace hardball::run_test {
 namespace {
 
 using nlohmann::json;
-using support::Arguments;
-using support::Outcome;
-using support::read_text;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 const std::string kPeriodicGas = R"([box]
 size = [10.0, 10.0, 10.0]
@@ -50,17 +45,14 @@ temperature = 1.0
 until = 5.0
 )";
 
-class Run : public testing::Test {
+class Run : public ProgramTest {
  protected:
-  Run() { use(support::kSmallGas); }
+  Run() { use(kSmallGas); }
 
   void use(const std::string& scenario) { write_text(folder_ / "gas.toml", scenario); }
 
-  Outcome run(const Arguments& more = {}) {
-    Arguments arguments{"run", "gas.toml", "--overwrite"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run_program(folder_, arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  ProgramOutcome run(const Arguments& more = {}) {
+    const ProgramOutcome outcome = succeed({"run", "gas.toml", "--overwrite"}, more);
     EXPECT_EQ(outcome.messages, "");
     return outcome;
   }
@@ -71,8 +63,6 @@ class Run : public testing::Test {
   }
 
   std::string hash(const Arguments& more = {}) { return run_json(more)["event_log_hash"]; }
-
-  ScratchFolder folder_;
 };
 
 TEST_F(Run, SaysFromWhatItsResultsFollow) {
@@ -85,7 +75,7 @@ TEST_F(Run, SaysFromWhatItsResultsFollow) {
     EXPECT_NE(version.find(" " + summary["commit"].get<std::string>() + "\n"), std::string::npos);
     EXPECT_EQ(summary["scenario"]["file"], "gas.toml");
     EXPECT_EQ(summary["scenario"]["set"], json({"run.until=2"}));
-    EXPECT_EQ(summary["scenario"]["text"], support::kSmallGas);
+    EXPECT_EQ(summary["scenario"]["text"], kSmallGas);
   }
   const Arguments resume{"resume", "out", "--until", "3", "--json", "--quiet"};
   const json resumed = json::parse(run_program(folder_, resume).output);
@@ -223,7 +213,7 @@ TEST_F(Run, WritesTheSummaryItPrints) {
 }
 
 TEST_F(Run, OutOptionTakesPrecedenceOverTheScenario) {
-  use(support::kSmallGas + "[output]\ndirectory = \"other\"\n");
+  use(kSmallGas + "[output]\ndirectory = \"other\"\n");
   run({"--out", "out"});
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/summary.json"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "other"));
@@ -349,7 +339,7 @@ TEST_F(Run, GoesOnWithItsTrajectories) {
     };
     run_in("whole", "5");
     run_in("parts", "2.3");
-    const Outcome resumed = run_program(folder_, {"resume", "parts", "--until", "5"});
+    const ProgramOutcome resumed = run_program(folder_, {"resume", "parts", "--until", "5"});
     ASSERT_EQ(resumed.exit_code, 0) << resumed.messages;
     for (const std::string name : {"trajectory.xyz", "trajectory.xyz.zst", "trajectory.gsd",
                                    "trajectory.lammpstrj", "trajectory.pvd", "trajectory/00000009.vtp"}) {
@@ -401,7 +391,7 @@ TEST_F(Run, StartsFromASnapshotBitForBit) {
 
 TEST_F(Run, WritesFilesThatPythonReads) {
   const std::string python = HARDBALL_PYTHON;
-  if (support::Program(folder_, {"-c", "import ase.io, numpy"}, python).wait().exit_code != 0) {
+  if (Program(folder_, {"-c", "import ase.io, numpy"}, python).wait().exit_code != 0) {
     GTEST_SKIP() << "Python has no numpy or no ase";
   }
   use(kPeriodicGas);
@@ -428,7 +418,7 @@ json.dump({
     "radius": float(last.arrays["radius"].max()), "ids": last.arrays["id"].tolist() == list(range(300)),
 }, sys.stdout)
 )");
-  const Outcome reading = support::Program(folder_, {"read.py"}, python).wait();
+  const ProgramOutcome reading = Program(folder_, {"read.py"}, python).wait();
   ASSERT_EQ(reading.exit_code, 0) << reading.messages;
   const json found = json::parse(reading.output);
   EXPECT_EQ(found["collisions"], summary["events"]["collision"]);
@@ -452,12 +442,12 @@ json.dump({
 
 TEST(Program, PrintsItsVersionAndUsage) {
   const ScratchFolder folder;
-  const Outcome version = run_program(folder, {"--version"});
+  const ProgramOutcome version = run_program(folder, {"--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_TRUE(version.output.starts_with("hardball ")) << version.output;
   for (const Arguments& arguments :
        {Arguments{"--help"}, Arguments{"run", "--help"}, Arguments{"verify", "--help"}}) {
-    const Outcome help = run_program(folder, arguments);
+    const ProgramOutcome help = run_program(folder, arguments);
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.output.find("Usage: hardball"), std::string::npos) << help.output;
   }
@@ -474,7 +464,7 @@ TEST_F(Run, StartsAtOnceInABoxOfAnyShape) {
             "]\n[[spheres]]\ncount = 2\nradius = 1e-60\nplacement = \"" + placement +
             "\"\nspeed = 1.0\n[run]\nuntil = 1e-60\n");
         SCOPED_TRACE(size + " " + boundary + " " + placement);
-        const Outcome checked = run_program(folder_, {"check", "gas.toml"});
+        const ProgramOutcome checked = run_program(folder_, {"check", "gas.toml"});
         EXPECT_EQ(checked.exit_code, 0) << checked.messages;
         EXPECT_EQ(checked.output.find("nan"), std::string::npos) << checked.output;
         run({"--out", "out"});
@@ -485,12 +475,12 @@ TEST_F(Run, StartsAtOnceInABoxOfAnyShape) {
 
 TEST(Verify, FindsOneHistoryOfABoxThatIsDisplacedByManyBoxes) {
   const ScratchFolder folder;
-  support::write_text(folder / "sheared.toml",
-                      "[box]\nboundary = ['periodic', 'periodic', 'periodic']\nsize = [10, 10, 10]\n"
-                      "shear_rate = 0.1\nshear_offset = 2e10\n"
-                      "[[spheres]]\nradius = 0.5\npositions = [[2, 5, 5], [8, 5, 5], [5, 1, 5]]\n"
-                      "velocities = [[1, 0, 0], [-1, 0, 0], [0, -0.2, 0.1]]\n[run]\nuntil = 40\n");
-  const Outcome outcome = run_program(folder, {"verify", "sheared.toml"});
+  write_text(folder / "sheared.toml",
+             "[box]\nboundary = ['periodic', 'periodic', 'periodic']\nsize = [10, 10, 10]\n"
+             "shear_rate = 0.1\nshear_offset = 2e10\n"
+             "[[spheres]]\nradius = 0.5\npositions = [[2, 5, 5], [8, 5, 5], [5, 1, 5]]\n"
+             "velocities = [[1, 0, 0], [-1, 0, 0], [0, -0.2, 0.1]]\n[run]\nuntil = 40\n");
+  const ProgramOutcome outcome = run_program(folder, {"verify", "sheared.toml"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
   EXPECT_NE(outcome.output.find("all runs are the same"), std::string::npos) << outcome.output;
 }
@@ -516,11 +506,11 @@ until = 1.0
 TEST_F(Run, TellsThatSpheresGrewIntoPlace) {
   use(kDenseGas);
   const std::string note = "placed by growing spheres";
-  const Outcome table = run_program(folder_, {"run", "gas.toml"});
+  const ProgramOutcome table = run_program(folder_, {"run", "gas.toml"});
   EXPECT_EQ(table.exit_code, 0) << table.messages;
   EXPECT_NE(table.output.find(note), std::string::npos) << table.output;
   EXPECT_NE(table.messages.find(note), std::string::npos) << table.messages;
-  const Outcome check = run_program(folder_, {"check", "gas.toml"});
+  const ProgramOutcome check = run_program(folder_, {"check", "gas.toml"});
   EXPECT_NE(check.output.find(note), std::string::npos) << check.output;
   const json whole = run_json({"--quiet"});
   ASSERT_EQ(whole["notes"].size(), 1U);
@@ -530,7 +520,7 @@ TEST_F(Run, TellsThatSpheresGrewIntoPlace) {
   EXPECT_EQ(hash({"--threads", "2", "--quiet"}), whole["event_log_hash"]);
   EXPECT_EQ(hash({"--engine", "all-pairs", "--quiet"}), whole["event_log_hash"]);
   run({"--until", "0.5", "--out", "out", "--quiet"});
-  const Outcome resumed = run_program(folder_, {"resume", "out", "--until", "1", "--json"});
+  const ProgramOutcome resumed = run_program(folder_, {"resume", "out", "--until", "1", "--json"});
   EXPECT_EQ(json::parse(resumed.output)["notes"], whole["notes"]) << resumed.messages;
   EXPECT_EQ(json::parse(resumed.output)["event_log_hash"], whole["event_log_hash"]);
 }

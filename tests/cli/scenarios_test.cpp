@@ -19,10 +19,7 @@ namespace hardball::scenarios_test {
 namespace {
 
 using nlohmann::json;
-using support::Arguments;
-using support::Outcome;
-using support::run_program;
-using support::ScratchFolder;
+using namespace support;
 
 std::string path_of(const std::string& scenario) {
   return HARDBALL_SCENARIOS "/" + scenario + ".toml";
@@ -37,11 +34,17 @@ std::vector<std::string> all_scenarios() {
   return names;
 }
 
-class EveryScenario : public testing::TestWithParam<std::string> {};
+class ShippedScenarios : public ProgramTest {
+ protected:
+  json run(const std::string& scenario, const Arguments& more = {}) const {
+    return json_of({"run", path_of(scenario), "--json"}, more);
+  }
+};
+
+class EveryScenario : public ProgramTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(EveryScenario, IsAcceptedByCheck) {
-  const ScratchFolder folder;
-  const Outcome outcome = run_program(folder, {"check", path_of(GetParam())});
+  const ProgramOutcome outcome = run_program(folder_, {"check", path_of(GetParam())});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
   for (const char* line : {"radius", " fraction ", "mean free time", "engine", "memory", "collisions"}) {
     EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
@@ -52,11 +55,11 @@ TEST_P(EveryScenario, IsAcceptedByCheck) {
 }
 
 TEST_P(EveryScenario, IsTheSameWithAllEngines) {
-  const ScratchFolder folder;
   const Scenario scenario = load_scenario(path_of(GetParam()));
   // A part of each will do: all engines run it, all pairs and the paper's among them.
   const double until = *scenario.until / 4;
-  const Outcome outcome = run_program(folder, {"verify", path_of(GetParam()), "--until", to_text(until)});
+  const ProgramOutcome outcome =
+      run_program(folder_, {"verify", path_of(GetParam()), "--until", to_text(until)});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages << outcome.output;
   for (const char* line : {"three domains", "edge", "paper", "all-pairs", "all runs are the same"}) {
     EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
@@ -66,9 +69,8 @@ TEST_P(EveryScenario, IsTheSameWithAllEngines) {
       << outcome.output;
 }
 
-TEST(Verify, LeavesOutDomainsThatCannotShareTheSpheres) {
-  const ScratchFolder folder;
-  const Outcome outcome = run_program(folder, {"verify", path_of("square_well"), "--until", "0.05"});
+TEST_F(ShippedScenarios, AreVerifiedWithoutDomainsThatCannotShareTheSpheres) {
+  const ProgramOutcome outcome = run_program(folder_, {"verify", path_of("square_well"), "--until", "0.05"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages << outcome.output;
   EXPECT_NE(outcome.output.find("threads cannot share spheres with potentials of steps"), std::string::npos)
       << outcome.output;
@@ -77,52 +79,40 @@ TEST(Verify, LeavesOutDomainsThatCannotShareTheSpheres) {
 INSTANTIATE_TEST_SUITE_P(All, EveryScenario, testing::ValuesIn(all_scenarios()),
                          [](const testing::TestParamInfo<std::string>& test) { return test.param; });
 
-json run(const std::string& scenario, const Arguments& more = {}) {
-  const ScratchFolder folder;
-  Arguments arguments{"run", path_of(scenario), "--json"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const Outcome outcome = run_program(folder, arguments);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
-  return json::parse(outcome.output);
-}
-
-TEST(Check, DescribesTheRadii) {
-  const ScratchFolder folder;
-  const Outcome equal = run_program(folder, {"check", path_of("paper")});
+TEST_F(ShippedScenarios, HaveRadiiThatCheckDescribes) {
+  const ProgramOutcome equal = run_program(folder_, {"check", path_of("paper")});
   EXPECT_NE(equal.output.find(" 1.5\n"), std::string::npos) << equal.output;
-  const Outcome mixed = run_program(folder, {"check", path_of("mixture")});
+  const ProgramOutcome mixed = run_program(folder_, {"check", path_of("mixture")});
   EXPECT_NE(mixed.output.find("0.4491 on average, 0.4 to 2\n"), std::string::npos) << mixed.output;
 }
 
-TEST(Schema, IsPrintedByCheckWithoutAScenario) {
-  const ScratchFolder folder;
-  const Outcome outcome = run_program(folder, {"check", "--schema"});
+TEST_F(ShippedScenarios, HaveASchemaThatCheckPrints) {
+  const ProgramOutcome outcome = run_program(folder_, {"check", "--schema"});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.output, support::read_text(HARDBALL_SCENARIOS "/scenario.schema.json"));
+  EXPECT_EQ(outcome.output, read_text(HARDBALL_SCENARIOS "/scenario.schema.json"));
   EXPECT_EQ(outcome.messages, "");
 }
 
 // A drop that grows at a wall, or beside a sphere that bounces off it, reaches into that.
-TEST(Verify, AcceptsSpheresThatGrowIntoOthers) {
-  const ScratchFolder folder;
-  support::write_text(folder / "drops.toml", support::kSmallGas + "[response]\nkind = \"merge\"\n");
-  const Outcome outcome =
-      run_program(folder, {"verify", "drops.toml", "--until", "20", "--set", "spheres.0.count=100"});
+TEST_F(ShippedScenarios, MayHaveSpheresThatGrowIntoOthers) {
+  write_text(folder_ / "drops.toml", kSmallGas + "[response]\nkind = \"merge\"\n");
+  const ProgramOutcome outcome =
+      run_program(folder_, {"verify", "drops.toml", "--until", "20", "--set", "spheres.0.count=100"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_NE(outcome.output.find("all runs are the same"), std::string::npos) << outcome.output;
 }
 
-TEST(Scenario, CradleCollidesOncePerUnitOfTime) {
+TEST_F(ShippedScenarios, CradleCollidesOncePerUnitOfTime) {
   EXPECT_EQ(run("newtons_cradle", {"--until", "999.5"})["events"]["collision"], 999);
   EXPECT_EQ(run("newtons_cradle", {"--until", "1000"})["events"]["collision"], 1000);
 }
 
-TEST(Scenario, GranularGasCools) {
+TEST_F(ShippedScenarios, GranularGasCools) {
   const json summary = run("granular_gas");
   EXPECT_LT(summary["energy"]["final"], 0.1 * summary["energy"]["initial"].get<double>());
 }
 
-TEST(Scenario, HeatedGranularGasIsHeatedToItsSteadyTemperature) {
+TEST_F(ShippedScenarios, HeatedGranularGasIsHeatedToItsSteadyTemperature) {
   const json summary = run("heated_granular_gas");
   EXPECT_EQ(summary["thermostat"]["kind"], "heating");
   EXPECT_NEAR(summary["thermostat"]["events"].get<double>(), 600, 1);
@@ -131,7 +121,7 @@ TEST(Scenario, HeatedGranularGasIsHeatedToItsSteadyTemperature) {
   EXPECT_GT(summary["thermostat"]["energy"], 5000);
 }
 
-TEST(Scenario, GrowingSpheresReachTheirPackingFraction) {
+TEST_F(ShippedScenarios, GrowingSpheresReachTheirPackingFraction) {
   const json summary = run("growing_spheres");
   EXPECT_EQ(summary["growth"]["state"], "reached");
   EXPECT_NEAR(summary["packing_fraction"].get<double>(), 0.62, 1e-12);
@@ -140,21 +130,19 @@ TEST(Scenario, GrowingSpheresReachTheirPackingFraction) {
   EXPECT_NEAR(change, given, 1e-9 * summary["growth"]["work"].get<double>());
 }
 
-TEST(Scenario, TransportIsThatOfEnskog) {
-  const ScratchFolder folder;
-  const Outcome outcome =
-      run_program(folder, {"run", path_of("transport"), "--out", "out", "--set", "run.until=60"});
+TEST_F(ShippedScenarios, TransportIsThatOfEnskog) {
+  const ProgramOutcome outcome =
+      run_program(folder_, {"run", path_of("transport"), "--out", "out", "--set", "run.until=60"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
-  const std::string quantities = support::read_text(folder / "out" / "measures" / "quantities.csv");
+  const std::string quantities = read_text(folder_ / "out" / "measures" / "quantities.csv");
   for (const std::string name :
        {"diffusion,diffusion_constant_of_infinite_system", "viscosity,viscosity_over_enskog",
         "bulk_viscosity,bulk_viscosity_lag", "thermal_conductivity,thermal_conductivity"})
     EXPECT_NE(quantities.find("\n" + name + ","), std::string::npos) << name << "\n" << quantities;
-  EXPECT_NE(support::read_text(folder / "out" / "report.html").find("Thermal conductivity"),
-            std::string::npos);
+  EXPECT_NE(read_text(folder_ / "out" / "report.html").find("Thermal conductivity"), std::string::npos);
 }
 
-TEST(Scenario, DiluteGasHasThePressureOfTheory) {
+TEST_F(ShippedScenarios, DiluteGasHasThePressureOfTheory) {
   // Carnahan and Starling at a packing fraction of 0.01. The virial of 7,000 collisions scatters by about 1%.
   EXPECT_NEAR(run("dilute_gas")["compressibility"].get<double>() - 1, 0.0410, 4 * 0.0410 / std::sqrt(7000));
 }

@@ -15,10 +15,9 @@ namespace hardball::species_test {
 namespace {
 
 using nlohmann::json;
-using support::Outcome;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
+using SpeciesInWords = ProgramTest;
+using Potentials = ProgramTest;
 
 const std::string kSpecies = R"([box]
 size = [10.0, 10.0, 10.0]
@@ -63,14 +62,9 @@ recording = true
 until = 3.0
 )";
 
-void expect_in(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
-}
-
-TEST(SpeciesInWords, AreCheckedBeforeTheRun) {
-  const ScratchFolder folder;
-  write_text(folder / "species.toml", kSpecies);
-  const Outcome checked = run_program(folder, {"check", "species.toml"});
+TEST_F(SpeciesInWords, AreCheckedBeforeTheRun) {
+  write_text(folder_ / "species.toml", kSpecies);
+  const ProgramOutcome checked = run_program(folder_, {"check", "species.toml"});
   ASSERT_EQ(checked.exit_code, 0) << checked.messages;
   expect_in(checked.output, "spheres merge; at walls they bounce, elastic");
   expect_in(checked.output, "mist and mist           pass through each other");
@@ -81,10 +75,10 @@ TEST(SpeciesInWords, AreCheckedBeforeTheRun) {
   expect_in(checked.output, "kinematic               1 sphere");
 }
 
-TEST(SpeciesInWords, AreCountedRecordedAndReportedByTheRun) {
-  const ScratchFolder folder;
-  write_text(folder / "species.toml", kSpecies);
-  const Outcome outcome = run_program(folder, {"run", "species.toml", "--out", "out", "--json", "--quiet"});
+TEST_F(SpeciesInWords, AreCountedRecordedAndReportedByTheRun) {
+  write_text(folder_ / "species.toml", kSpecies);
+  const ProgramOutcome outcome =
+      run_program(folder_, {"run", "species.toml", "--out", "out", "--json", "--quiet"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
   const json summary = json::parse(outcome.output);
   const std::size_t mergers = summary["events"]["merger"];
@@ -95,10 +89,10 @@ TEST(SpeciesInWords, AreCountedRecordedAndReportedByTheRun) {
   EXPECT_EQ(summary["species"]["drop"].get<std::size_t>() + summary["species"]["mist"].get<std::size_t>(),
             161 - mergers);
   EXPECT_GT(summary["energy"]["rotational"], 0);
-  const std::string report = support::read_text(folder / "out/report.html");
+  const std::string report = read_text(folder_ / "out/report.html");
   expect_in(report, "<dt>mergers</dt><dd>" + std::to_string(mergers) + "</dd>");
   expect_in(report, "pass through each other");
-  RecordingReader reader(folder / "out/recording.hbr");
+  RecordingReader reader(folder_ / "out/recording.hbr");
   EXPECT_EQ(reader.header().species_names, (std::vector<std::string>{"drop", "mist"}));
   EXPECT_TRUE(std::isnan(reader.header().restitution));
   std::size_t present = 0;
@@ -106,13 +100,12 @@ TEST(SpeciesInWords, AreCountedRecordedAndReportedByTheRun) {
     present += body.exists() ? 1U : 0U;
   }
   EXPECT_EQ(present, 161 - mergers);
-  EXPECT_EQ(run_program(folder, {"replay", "out", "--out", "replay.html"}).exit_code, 0);
+  EXPECT_EQ(run_program(folder_, {"replay", "out", "--out", "replay.html"}).exit_code, 0);
 }
 
 // What the program tells of potentials of steps and bonds.
-TEST(Potentials, AreDescribedCheckedAndSummarized) {
-  const ScratchFolder folder;
-  write_text(folder / "well.toml", R"([box]
+TEST_F(Potentials, AreDescribedCheckedAndSummarized) {
+  write_text(folder_ / "well.toml", R"([box]
 size = [10.0, 10.0, 10.0]
 boundary = ["periodic", "periodic", "periodic"]
 [[spheres]]
@@ -128,32 +121,32 @@ checkpoint_every = 1e-9
 [run]
 until = 20.0
 )");
-  const Outcome check = run_program(folder, {"check", "well.toml"});
+  const ProgramOutcome check = run_program(folder_, {"check", "well.toml"});
   EXPECT_NE(check.output.find("energy -2 within 1.2, energy -1 within 1.5"), std::string::npos)
       << check.output;
   EXPECT_NE(check.output.find("steps of potentials add events"), std::string::npos) << check.output;
-  const Outcome run = run_program(folder, {"run", "well.toml", "--json"});
+  const ProgramOutcome run = run_program(folder_, {"run", "well.toml", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.messages;
   const json summary = json::parse(run.output);
   EXPECT_GT(summary["events"]["step_passed"], 100);
   EXPECT_GT(summary["events"]["step_refused"], 10);
   EXPECT_LT(summary["energy"]["potential"], 0);
   EXPECT_NEAR(summary["energy"]["initial"].get<double>(), summary["energy"]["final"].get<double>(), 1e-9);
-  const std::string quantities = support::read_text(folder / "out/measures/quantities.csv");
+  const std::string quantities = read_text(folder_ / "out/measures/quantities.csv");
   for (const char* name :
        {"potential_energy", "heat_capacity", "passed_outward_1", "rate_inward_2", "g_inside_1"})
     EXPECT_NE(quantities.find(name), std::string::npos) << name;
   // Stopped and resumed, it has the same history; and so by every engine.
-  const Outcome half = run_program(folder, {"run", "well.toml", "--until", "10", "--out", "half", "--quiet"});
+  const ProgramOutcome half =
+      run_program(folder_, {"run", "well.toml", "--until", "10", "--out", "half", "--quiet"});
   ASSERT_EQ(half.exit_code, 0) << half.messages;
-  const Outcome resumed = run_program(folder, {"resume", "half", "--until", "20", "--json", "--quiet"});
+  const ProgramOutcome resumed =
+      run_program(folder_, {"resume", "half", "--until", "20", "--json", "--quiet"});
   ASSERT_EQ(resumed.exit_code, 0) << resumed.messages;
   EXPECT_EQ(json::parse(resumed.output)["event_log_hash"], summary["event_log_hash"]);
-  EXPECT_EQ(run_program(folder, {"verify", "well.toml", "--until", "5"}).exit_code, 0);
-  const Outcome threads = run_program(folder, {"run", "well.toml", "--threads", "2", "--out", "other"});
-  EXPECT_EQ(threads.exit_code, 2);
-  EXPECT_NE(threads.messages.find("threads cannot share spheres with potentials of steps"),
-            std::string::npos);
+  EXPECT_EQ(run_program(folder_, {"verify", "well.toml", "--until", "5"}).exit_code, 0);
+  expect_refusal(run_program(folder_, {"run", "well.toml", "--threads", "2", "--out", "other"}),
+                 {"threads cannot share spheres with potentials of steps"});
 }
 
 }  // namespace

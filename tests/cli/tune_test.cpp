@@ -15,12 +15,7 @@
 namespace hardball::tune_test {
 namespace {
 
-using support::Arguments;
-using support::Outcome;
-using support::read_text;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 // So few spheres that no candidate is collected twice (broadphase/candidates.hpp), however large the cells.
 const std::string kGas = R"([box]
@@ -38,17 +33,13 @@ until = 50.0
 // Costs so high that the rounds, whose length follows from the expected cost, are short.
 const std::string kHighCosts = "contact=140000,enter=55000,cell=19000,prediction=5500";
 
-class Tune : public testing::Test {
+class Tune : public ProgramTest {
  protected:
   Tune() { write_text(folder_ / "gas.toml", kGas); }
 
-  Outcome tune(const Arguments& more = {}, const std::string& budget = "1") {
-    Arguments arguments{"tune", "gas.toml", "--unit-costs", kHighCosts, "--budget", budget};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_program(folder_, arguments);
+  ProgramOutcome tune(const Arguments& more = {}, const std::string& budget = "1") {
+    return program({"tune", "gas.toml", "--unit-costs", kHighCosts, "--budget", budget}, more);
   }
-
-  ScratchFolder folder_;
 };
 
 std::vector<std::vector<std::string>> read_csv(const std::string& text) {
@@ -63,7 +54,7 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
 }
 
 TEST_F(Tune, PrintsTheChoiceThePapersAndTheBest) {
-  const Outcome outcome = tune();
+  const ProgramOutcome outcome = tune();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
   for (const char* word : {"packing fraction", "unit costs", "contact=1.4e+05", "predicted", "measured",
                            "counted", " auto", " paper", " best", "auto chooses", "mean free path [L]",
@@ -73,7 +64,7 @@ TEST_F(Tune, PrintsTheChoiceThePapersAndTheBest) {
 }
 
 TEST_F(Tune, WritesATableInWhichPredictionsAgreeWithCounts) {
-  const Outcome outcome = tune({"--out", "new/out"}, "3");
+  const ProgramOutcome outcome = tune({"--out", "new/out"}, "3");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
   const auto rows = read_csv(read_text(folder_ / "new/out/tune.csv"));
   ASSERT_GE(rows.size(), 8U) << "the larger edges coincide in a small box";
@@ -101,10 +92,10 @@ TEST_F(Tune, WritesATableInWhichPredictionsAgreeWithCounts) {
 }
 
 TEST_F(Tune, DrawsAFigure) {
-  const Outcome outcome = tune({"--out", "out"});
+  const ProgramOutcome outcome = tune({"--out", "out"});
   ASSERT_EQ(outcome.exit_code, 0);
   for (const std::string file : {"out/tune.csv", "out/tune.svg"})
-    support::expect_written(outcome.output, folder_, file, "");
+    expect_written(outcome.output, folder_, file, "");
   const std::string figure = read_text(folder_ / "out/tune.svg");
   EXPECT_NE(figure.find("<svg"), std::string::npos);
   EXPECT_NE(figure.find("auto"), std::string::npos);
@@ -112,14 +103,13 @@ TEST_F(Tune, DrawsAFigure) {
 }
 
 TEST_F(Tune, RefusesAWorldInWhichNothingMoves) {
-  const Outcome outcome = tune({"--set", "spheres.0.temperature=0.0"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("nothing moves"), std::string::npos) << outcome.messages;
+  const ProgramOutcome outcome = tune({"--set", "spheres.0.temperature=0.0"});
+  expect_refusal(outcome, {"nothing moves"});
 }
 
 // Which leaves time for one round only.
 TEST_F(Tune, EndsWhenItsBudgetIsSpent) {
-  const Outcome outcome = tune({"--out", "out"}, "1e-9");
+  const ProgramOutcome outcome = tune({"--out", "out"}, "1e-9");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
   EXPECT_NE(outcome.output.find("rounds                  1\n"), std::string::npos) << outcome.output;
   const std::size_t rows = read_csv(read_text(folder_ / "out/tune.csv")).size();
@@ -129,14 +119,12 @@ TEST_F(Tune, EndsWhenItsBudgetIsSpent) {
 
 TEST_F(Tune, RefusesABudgetThatIsNone) {
   for (const char* budget : {"0", "-1", "inf", "nan", "soon"}) {
-    const Outcome outcome = tune({}, budget);
-    EXPECT_EQ(outcome.exit_code, 2) << budget;
-    EXPECT_NE(outcome.messages.find("--budget: "), std::string::npos) << outcome.messages;
+    expect_refusal(tune({}, budget), {"--budget: "});
   }
 }
 
 TEST_F(Tune, SaysWhatARunWouldMeet) {
-  const Outcome outcome =
+  const ProgramOutcome outcome =
       tune({"--set", "box.boundary=['wall', 'wall', 'wall']", "--set", "box.gravity=[0.0, 0.0, -0.01]",
             "--set", "response.restitution=0.99", "--set", "response.settle=false", "--until", "0.1"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
@@ -144,22 +132,18 @@ TEST_F(Tune, SaysWhatARunWouldMeet) {
 }
 
 TEST_F(Tune, RefusesADirectoryThatIsAFile) {
-  const Outcome outcome = tune({"--out", "gas.toml"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("gas.toml"), std::string::npos) << outcome.messages;
+  const ProgramOutcome outcome = tune({"--out", "gas.toml"});
+  expect_refusal(outcome, {"gas.toml"});
   EXPECT_EQ(outcome.output, "");
 }
 
 // Spheres that fly apart in open space: no cells suit where they are in the end.
-TEST(TuneOfScattered, RefusesSpheresThatHaveFlownTooFarApart) {
-  const support::ScratchFolder folder;
-  support::write_text(folder / "apart.toml",
-                      "[box]\nboundary = ['open', 'open', 'open']\nsize = [1e4, 1.0, 1e4]\n"
-                      "[[spheres]]\ncount = 2\nradius = 0.1\nplacement = 'random'\ntemperature = 1.0\n"
-                      "[run]\nuntil = 1e60\n");
-  const support::Outcome outcome = support::run_program(folder, {"tune", "apart.toml"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("no cells fit the spheres"), std::string::npos) << outcome.messages;
+TEST_F(Tune, RefusesSpheresThatHaveFlownTooFarApart) {
+  write_text(folder_ / "apart.toml",
+             "[box]\nboundary = ['open', 'open', 'open']\nsize = [1e4, 1.0, 1e4]\n"
+             "[[spheres]]\ncount = 2\nradius = 0.1\nplacement = 'random'\ntemperature = 1.0\n"
+             "[run]\nuntil = 1e60\n");
+  expect_refusal(run_program(folder_, {"tune", "apart.toml"}), {"no cells fit the spheres"});
 }
 
 }  // namespace

@@ -21,18 +21,12 @@ namespace hardball::view_test {
 namespace {
 
 using nlohmann::json;
-using support::Arguments;
-using support::Outcome;
-using support::Program;
-using support::read_text;
-using support::run_program;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
-class View : public testing::Test {
+class View : public ProgramTest {
  protected:
   View() {
-    write_text(folder_ / "gas.toml", support::kSmallGas);
+    write_text(folder_ / "gas.toml", kSmallGas);
     std::filesystem::create_directory(folder_ / "temporary");
   }
   ~View() override {
@@ -56,9 +50,9 @@ class View : public testing::Test {
     token_ = address.substr(query + 2, 6 + 32);
   }
 
-  Outcome stop(int signal) {
+  ProgramOutcome stop(int signal) {
     kill(program_->process(), signal);
-    const Outcome outcome = program_->wait();
+    const ProgramOutcome outcome = program_->wait();
     program_.reset();
     return outcome;
   }
@@ -83,12 +77,8 @@ class View : public testing::Test {
   }
 
   json run_json(const Arguments& more) const {
-    Arguments arguments{"run", "gas.toml", "--json", "--overwrite"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return json::parse(run_program(folder_, arguments).output);
+    return json_of({"run", "gas.toml", "--json", "--overwrite"}, more);
   }
-
-  ScratchFolder folder_;
   std::optional<Program> program_;
   std::string server_;
   std::string token_;
@@ -124,7 +114,7 @@ class StoppedView : public View, public testing::WithParamInterface<int> {};
 TEST_P(StoppedView, EndsWellAndLeavesNothing) {
   start({"gas.toml", "--until", "1e6", "--set", "spheres.0.count=300"});
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "temporary")) << "the recording has no name";
-  const Outcome outcome = stop(GetParam());
+  const ProgramOutcome outcome = stop(GetParam());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "temporary"));
 }
@@ -181,9 +171,8 @@ TEST_F(View, StopsTheRunAtTheLimitOfTheRecordingAndShowsIt) {
 
 TEST_F(View, NeedsARecordingInADirectory) {
   run_json({"--out", "out"});
-  const Outcome outcome = run_program(folder_, {"view", "out", "--no-open"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("recording = true"), std::string::npos) << outcome.messages;
+  const ProgramOutcome outcome = run_program(folder_, {"view", "out", "--no-open"});
+  expect_refusal(outcome, {"recording = true"});
 }
 
 TEST_F(View, RefusesWhatItCannotDo) {
@@ -197,7 +186,7 @@ TEST_F(View, RefusesWhatItCannotDo) {
         Arguments{"view", "out", "--threads", "2"}, Arguments{"view", "gas.toml", "--threads", "0"},
         Arguments{"view", "missing.toml"}, Arguments{"view", "gas.toml", "--no-opne"},
         Arguments{"replay", "gas.toml"}, Arguments{"replay", "gas.toml", "--out", "no/where.html"}}) {
-    const Outcome outcome = run_program(folder_, arguments);
+    const ProgramOutcome outcome = run_program(folder_, arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments.back() << outcome.messages;
     EXPECT_EQ(outcome.output, "");
     EXPECT_TRUE(outcome.messages.starts_with("hardball: ")) << outcome.messages;
@@ -207,9 +196,7 @@ TEST_F(View, RefusesWhatItCannotDo) {
 TEST_F(View, RefusesAnInvalidRecording) {
   std::filesystem::create_directory(folder_ / "out");
   write_text(folder_ / "out/recording.hbr", "HBREC003 and then nonsense");
-  const Outcome outcome = run_program(folder_, {"view", "out", "--no-open"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("recording.hbr"), std::string::npos) << outcome.messages;
+  expect_refusal(run_program(folder_, {"view", "out", "--no-open"}), {"recording.hbr"});
 }
 
 TEST_F(View, ReplayIsOneFileWithTheWholeRecording) {
@@ -229,8 +216,8 @@ TEST_F(View, ReplaySaysWhatItHasWritten) {
   const std::string contents = to_string(summary["spheres"]) + " spheres, " +
                                to_string(summary["events"]["collision"]) + " collisions";
   for (const std::string what : {"out", "gas.toml"}) {
-    const Outcome outcome = run_program(folder_, {"replay", what, "--out", what + ".html"});
-    support::expect_written(outcome.output, folder_, what + ".html", contents);
+    const ProgramOutcome outcome = run_program(folder_, {"replay", what, "--out", what + ".html"});
+    expect_written(outcome.output, folder_, what + ".html", contents);
   }
 }
 
@@ -240,17 +227,16 @@ TEST_F(View, ReplayIsQuietIfItIsTold) {
              "[[spheres]]\ncount = 50\nradius = 0.5\nplacement = \"random\"\nspeed = 1\n"
              "[run]\nuntil = 0.1\n");
   EXPECT_NE(run_program(folder_, {"replay", "dense.toml", "--out", "loud.html"}).messages, "");
-  const Outcome quiet = run_program(folder_, {"replay", "dense.toml", "--out", "quiet.html", "--quiet"});
+  const ProgramOutcome quiet =
+      run_program(folder_, {"replay", "dense.toml", "--out", "quiet.html", "--quiet"});
   EXPECT_EQ(quiet.exit_code, 0);
   EXPECT_EQ(quiet.output + quiet.messages, "");
 }
 
 TEST_F(View, ReplayReplacesAFileOnlyIfItIsTold) {
   write_text(folder_ / "mine.html", "mine");
-  const Outcome outcome = run_program(folder_, {"replay", "gas.toml", "--out", "mine.html"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("mine.html: the file exists already"), std::string::npos)
-      << outcome.messages;
+  expect_refusal(run_program(folder_, {"replay", "gas.toml", "--out", "mine.html"}),
+                 {"mine.html: the file exists already"});
   EXPECT_EQ(read_text(folder_ / "mine.html"), "mine");
   EXPECT_EQ(run_program(folder_, {"replay", "gas.toml", "--out", "mine.html", "--overwrite"}).exit_code, 0);
   EXPECT_TRUE(read_text(folder_ / "mine.html") != "mine");
@@ -261,7 +247,7 @@ TEST_F(View, ReplayOfADamagedRecordingShowsWhatComesBefore) {
   std::string recording = read_text(folder_ / "out/recording.hbr");
   recording[recording.size() - 50] ^= 1;
   write_text(folder_ / "out/recording.hbr", recording);
-  const Outcome outcome = run_program(folder_, {"replay", "out", "--out", "damaged.html"});
+  const ProgramOutcome outcome = run_program(folder_, {"replay", "out", "--out", "damaged.html"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.messages.find("the recording is damaged after time 0: chunk 0, at byte "),
             std::string::npos)
@@ -277,7 +263,7 @@ TEST_F(View, ReplayOfAFailedRunShowsItUpToTheFailure) {
              "[[spheres]]\nradius = 0.5\npositions = [[5, 10, 10], [8, 10, 10]]\n"
              "velocities = [[-1, 0, 0], [-2, 0, 0]]\n"
              "[response]\nrestitution = 0.01\n[run]\nuntil = 1e9\n");
-  const Outcome outcome = run_program(folder_, {"replay", "collapse.toml", "--out", "collapse.html"});
+  const ProgramOutcome outcome = run_program(folder_, {"replay", "collapse.toml", "--out", "collapse.html"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.messages.find("collapse.html shows it up to there"), std::string::npos)
       << outcome.messages;

@@ -184,7 +184,7 @@ TEST_P(GrowthAgrees, OnRandomWorlds) {
           made.restitution < 1 && history.failure.find("inelastic collapse") != std::string::npos;
       EXPECT_TRUE(history.failure.empty() || is_collapse) << history.failure;
       simulation.validate();
-      const double energy = energy(simulation.world(), simulation.now());
+      const double energy = hardball::energy(simulation.world(), simulation.now());
       const double before = simulation.tally().initial_energy();
       const double work = simulation.tally().growth_work();
       if (made.restitution == 1 && made.world.surfaces().empty() && made.world.box().has_plain_faces()) {

@@ -72,7 +72,7 @@ Equilibrium equilibrium_of(const World& world, std::uint64_t contacts) {
   Simulation simulation(world);
   simulation.run_contacts(contacts / 4);
   const double begin = simulation.time();
-  const double energy = energy(simulation.world(), simulation.now());
+  const double energy = hardball::energy(simulation.world(), simulation.now());
   const auto spheres = static_cast<double>(world.size());
   Equilibrium found;
   double kinetic = kinetic_energy(simulation.world(), simulation.now());
@@ -93,7 +93,7 @@ Equilibrium equilibrium_of(const World& world, std::uint64_t contacts) {
   found.duration = simulation.time() - begin;
   found.temperature = 2 * kinetic_sum / found.duration / (3 * (spheres - 1));
   found.energy_per_sphere = potential_sum / found.duration / spheres;
-  found.drift = (energy(simulation.world(), simulation.now()) - energy) /
+  found.drift = (hardball::energy(simulation.world(), simulation.now()) - energy) /
                 kinetic_energy(simulation.world(), simulation.now());
   EXPECT_NEAR(potential, step_energy(simulation.world()), 1e-9 * spheres);
   EXPECT_NEAR(kinetic, kinetic_energy(simulation.world(), simulation.now()), 1e-9 * spheres);
@@ -284,7 +284,7 @@ TEST(Tethers, HoldForManyEvents) {
   EXPECT_NEAR(longest, 1.2, 1e-12);
   EXPECT_GT(simulation.tally().steps_refused(), support::cases(10'000'000) / 10);
   EXPECT_EQ(simulation.tally().steps_passed(), 0U);
-  EXPECT_NEAR(energy(simulation.world(), simulation.now()), energy, 1e-12 * energy * 10);
+  EXPECT_NEAR(hardball::energy(simulation.world(), simulation.now()), energy, 1e-12 * energy * 10);
 }
 
 // A dumbbell at the end of its tether that turns without vibrating: it glides along the end.

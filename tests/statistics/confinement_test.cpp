@@ -181,10 +181,10 @@ TEST(Gravity, KeepsTheEnergyOfAGasBetweenWalls) {
   for (int x = 0; x < 5; ++x) {
     for (int y = 0; y < 5; ++y) world.add({{1.5 + 2.0 * x, 1.5 + 2.0 * y, 10}, random.direction(), 0.5, 1.5});
   }
-  const double energy = energy(world, Time(0));
+  const double energy = hardball::energy(world, Time(0));
   Simulation simulation(world);
   simulation.run_contacts(100'000);
-  EXPECT_NEAR(energy(simulation.world(), simulation.now()), energy, 1e-10 * std::fabs(energy));
+  EXPECT_NEAR(hardball::energy(simulation.world(), simulation.now()), energy, 1e-10 * std::fabs(energy));
   simulation.validate();
 }
 

@@ -84,12 +84,12 @@ TEST(RoughSpheres, KeepAngularMomentumInOpenSpace) {
   Simulation simulation(support::interacting(
       world, all_bounce({.restitution = ConstantRestitution{0.8}, .tangential_restitution = 0.3})));
   const Vec3 before = angular_momentum(simulation);
-  const Vec3 momentum = momentum(simulation.world(), simulation.now());
+  const Vec3 momentum = hardball::momentum(simulation.world(), simulation.now());
   simulation.run_until(100);
   EXPECT_GT(simulation.counters().collision, 1000U);
   // Rounding of positions of up to 400 and of some 1e3 impulses.
   EXPECT_LT(length(angular_momentum(simulation) - before), 1e-9);
-  EXPECT_LT(length(momentum(simulation.world(), simulation.now()) - momentum), 1e-12);
+  EXPECT_LT(length(hardball::momentum(simulation.world(), simulation.now()) - momentum), 1e-12);
 }
 
 // The stationary ratio of the temperatures of rotation and translation, R, of spheres with the reduced moment

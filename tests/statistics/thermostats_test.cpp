@@ -99,7 +99,7 @@ void expect_steady_temperature(double e, double packing_fraction) {
   // The scatter is sqrt(2 / 3N) / sqrt(200 / 22), 0.6%; the mean kick, which is subtracted, 1 / N; the noise
   // builds up correlations of velocities that the theory neglects, 1% at these e.
   EXPECT_NEAR(temperature, 1, 0.03);
-  const Vec3 momentum = momentum(simulation.world(), simulation.now());
+  const Vec3 momentum = hardball::momentum(simulation.world(), simulation.now());
   EXPECT_LT(length(momentum), 1e-9);
 }
 

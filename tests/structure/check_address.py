@@ -10,25 +10,13 @@ An address of the project is one in which its name occurs, on whatever host, or 
 """
 
 import re
-import sys
-from pathlib import Path
+
+from checking import files_of, print_faults
 
 SOURCE = "CMakeLists.txt"
 DECLARATION = re.compile(r'HOMEPAGE_URL "([^"]*)"')
 OF_PROJECT = re.compile(r"(?:(?:https?|ssh|git)://|git@)[^\s\"'<>()`]*hardball[^\s\"'<>()`]*", re.IGNORECASE)
 CLONE = re.compile(r"(?:git clone|GIT_REPOSITORY) (\S+)")
-# What is built, and what this machine has fetched.
-SKIPPED = {".git", "build", "node_modules", "__pycache__"}
-
-
-def files_of(project):
-    for path in sorted(project.iterdir()):
-        if path.name in SKIPPED or path.is_symlink():
-            continue
-        if path.is_dir():
-            yield from files_of(path)
-        elif path.is_file():
-            yield path
 
 
 def check(project):
@@ -52,11 +40,5 @@ def check(project):
                     yield f"{name}: clones {address}; write ADDRESS, which the site replaces"
 
 
-def main():
-    faults = list(check(Path(sys.argv[1])))
-    print(*faults, sep="\n")
-    return 1 if faults else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    print_faults(check)

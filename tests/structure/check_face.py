@@ -11,8 +11,8 @@ projects in tests/structure include no headers of rooms.
 """
 
 import re
-import sys
-from pathlib import Path
+
+from checking import print_faults
 
 INCLUDE = re.compile(r'^#include [<"](hardball/[^>"]+)[>"]', re.MULTILINE)
 OF_USERS = ["README.md", "docs/*.md", "examples/*.cpp", "tests/structure/*/*.cpp"]
@@ -48,11 +48,5 @@ def check(project):
                 yield f"{file}: includes {header}, which is no public header"
 
 
-def main():
-    faults = list(check(Path(sys.argv[1])))
-    print(*faults, sep="\n")
-    return 1 if faults else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    print_faults(check)

@@ -12,9 +12,9 @@ them. The word "hot" after the floor is for the build.
 """
 
 import re
-import sys
-from pathlib import Path
 from typing import NamedTuple
+
+from checking import print_faults
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"][^>"]*[>"]|.*)')
 STANDARD_HEADER = re.compile(r"[a-z_]+|(immintrin|arm_neon)\.h")
@@ -112,15 +112,5 @@ def check(project):
     return faults
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    faults = check(Path(sys.argv[1]))
-    for fault in faults:
-        print(fault)
-    if faults:
-        sys.exit(1)
-
-
 if __name__ == "__main__":
-    main()
+    print_faults(check)

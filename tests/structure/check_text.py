@@ -13,26 +13,15 @@ except in tables, in code, and where they hold a link.
 
 import ast
 import re
-import sys
-from pathlib import Path
 
-SKIPPED = {".git", "build", "node_modules", "__pycache__"}
+from checking import files_of, print_faults
+
 LONGEST = 160
 DEPENDENT = re.compile(
     r"(The same|Of|Likewise|And|Or|Also|That of|Those of|Its|Their|They|It)\b(?! is\b)|.*\blikewise\b", re.IGNORECASE | re.DOTALL
 )
 COMMENT = re.compile(r"///<? ?(.*)")
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
-
-
-def files_of(folder):
-    for path in sorted(folder.iterdir()):
-        if path.name in SKIPPED or path.is_symlink():
-            continue
-        if path.is_dir():
-            yield from files_of(path)
-        elif path.is_file():
-            yield path
 
 
 def cpp_comments(text):
@@ -100,11 +89,5 @@ def check(project):
                 yield f"{name}:{number}: a line of prose with more than {LONGEST} characters"
 
 
-def main():
-    faults = list(check(Path(sys.argv[1])))
-    print(*faults, sep="\n")
-    return 1 if faults else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    print_faults(check)

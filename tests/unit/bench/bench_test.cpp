@@ -12,7 +12,7 @@
 #include "bench/time_stepped.hpp"
 #include "hardball/numbers/random.hpp"
 
-namespace hardball::bench_test {
+namespace hardball::bench::bench_test {
 namespace {
 
 Contact collision(const Vec3& normal, double reach, const Vec3& first, const Vec3& second) {
@@ -141,4 +141,4 @@ TEST(TimeStepped, ReflectsAtWalls) {
 }
 
 }  // namespace
-}  // namespace hardball::bench_test
+}  // namespace hardball::bench::bench_test

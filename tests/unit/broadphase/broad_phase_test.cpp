@@ -35,7 +35,7 @@ using Partner = std::pair<Slot, std::array<std::int32_t, kAxes>>;
 template <class Phase>
 class Copying {
  public:
-  explicit Copying(const PhaseSettings& settings) : phase_(settings) {}
+  explicit Copying(const PhaseSettings& settings = {}) : phase_(settings) {}
 
   void build(const World& world, const Time& now) { phase_.build(world, now, copies_); }
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded) {

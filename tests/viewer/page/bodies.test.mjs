@@ -3,34 +3,18 @@
 
 // Spheres that merge and spin, and discs, in recordings that are made here.
 import assert from 'node:assert/strict';
-import { mkdir, writeFile } from 'node:fs/promises';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { Browser, middleOf } from '../support/browser.mjs';
-import { view, withFolder } from '../support/program.mjs';
+import { test } from 'node:test';
+import { middleOf } from '../support/browser.mjs';
+import { browser, follow, isBlue, isOrange, setQuality, setTime, state, withRecording } from '../support/pages.mjs';
 import { writeRecording } from '../support/small_gas.mjs';
 
 const kStill = [0, 0, 0];
 const kUpright = [0, 0, 0, 1];
 
-let browser;
-
-before(async () => {
-  browser = await Browser.launch();
-});
-
-after(() => browser?.close());
-
 // Shows a recording of two spheres of different species.
 async function withSpheres({ boundary, keyframe, bodies, contacts, bonds }, work) {
   const header = {
-    spheres: 2,
     box: { size: kStill, boundary },
-    begin: 0,
-    until: 4,
-    cell_edge: kStill,
-    cell_origin: kStill,
-    name: 'bodies',
     restitution: null,
     species: { names: ['drop', 'mist'], runs: [[0, 1], [1, 1]] },
     bonds,
@@ -38,29 +22,11 @@ async function withSpheres({ boundary, keyframe, bodies, contacts, bonds }, work
   const masses = [bodies[8], bodies[18]];
   const chunk = { begin: 0, end: 4, keyframe, bodies, contacts };
   const bytes = writeRecording(header, [bodies[7], bodies[17]], masses, [chunk]);
-  await withFolder(async (folder) => {
-    const out = join(folder, 'out');
-    await mkdir(out);
-    await writeFile(join(out, 'recording.hbr'), Buffer.from(bytes));
-    const program = await view(out);
-    try {
-      const page = await browser.open(program.url);
-      try {
-        await page.uncheck('#show-events');
-        await work(page, await page.locator('#canvas').boundingBox());
-        assert.deepEqual(page.errors, []);
-      } finally {
-        await page.context().close();
-      }
-    } finally {
-      await program.stop();
-    }
+  await withRecording(bytes, async (page) => {
+    await page.uncheck('#show-events');
+    await work(page, await page.locator('#canvas').boundingBox());
   });
 }
-
-const isBlue = (red, green, blue) => blue > red + 25;
-const isOrange = (red, green, blue) => red > blue + 60;
-const setTime = (page, time) => page.evaluate((time) => window.hardball.setTime(time), time);
 
 const kBox = ['open', 'open', 'open'];
 const kMerging = {
@@ -81,7 +47,7 @@ const kMerging = {
 test('of spheres that merge one vanishes, and the other grows, at the exact time', async () => {
   await withSpheres(kMerging, async (page, area) => {
     for (const way of ['full', 'points']) {
-      await page.evaluate((way) => window.hardball.setQuality(way), way);
+      await setQuality(page, way);
       const areas = [];
       for (const time of [0.999999, 1, 3, 0.5]) {
         await setTime(page, time);
@@ -95,7 +61,7 @@ test('of spheres that merge one vanishes, and the other grows, at the exact time
     }
     await setTime(page, 2);
     await page.waitForFunction(() => document.getElementById('legend-species').textContent === 'drop: 1mist: 0');
-    await page.evaluate(() => window.hardball.follow(0));
+    await follow(page, 0);
     await page.waitForFunction(() => document.getElementById('sphere-kind').textContent === '1.500, 2.000');
     assert.equal(await page.textContent('#sphere-species'), 'drop');
     assert.equal(await page.textContent('#count-mergers'), '1');
@@ -119,7 +85,7 @@ test('a bond is a rod from sphere to sphere that follows them', async () => {
       const { x, y } = await page.evaluate((place) => window.hardball.screenPlace(place), place);
       return middleOf(await browser.pixels(page), { x: x - 4, y: y - 4, width: 8, height: 8 }, isBond).count;
     };
-    assert.equal((await page.evaluate(() => window.hardball.state())).bonds, 1);
+    assert.equal((await state(page)).bonds, 1);
     await setTime(page, 0);
     assert.ok((await bondAt([2.5, 0, 0])) > 20);
     await setTime(page, 4);

@@ -3,12 +3,9 @@
 
 // Keys and their help, units, the scale of the picture, the card on a phone, and rings in a heap.
 import assert from 'node:assert/strict';
-import { mkdir, writeFile } from 'node:fs/promises';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { Browser } from '../support/browser.mjs';
+import { test } from 'node:test';
 import { recordLoneSpheres } from '../support/lone_spheres.mjs';
-import { run, view, withFolder, writeScenario } from '../support/program.mjs';
+import { follow, setTime, state, withOutput, withRecording, withView } from '../support/pages.mjs';
 
 // Grains that have come to rest on the floor, and hop there by less than can be seen.
 const kHeap = `
@@ -50,49 +47,17 @@ const kTwo = {
   until: 8,
 };
 
-let browser;
-
-before(async () => {
-  browser = await Browser.launch();
-});
-
-after(() => browser?.close());
-
-async function withView(prepare, work, options) {
-  await withFolder(async (folder) => {
-    const out = join(folder, 'out');
-    await prepare(out, folder);
-    const program = await view(out);
-    try {
-      const page = await browser.open(program.url, options);
-      try {
-        await work(page);
-        assert.deepEqual(page.errors, []);
-      } finally {
-        await page.context().close();
-      }
-    } finally {
-      await program.stop();
-    }
-  });
-}
-
 function withTwo(work, options, spheres = kTwo) {
-  const prepare = async (out) => {
-    await mkdir(out);
-    await writeFile(join(out, 'recording.hbr'), Buffer.from(recordLoneSpheres(spheres)));
-  };
-  return withView(prepare, work, options);
+  return withRecording(recordLoneSpheres(spheres), work, options);
 }
 
-const state = (page) => page.evaluate(() => window.hardball.state());
 const lengthOfPixel = (page) => page.evaluate(() => window.hardball.lengthOfPixel());
 const same = (one, other) => Math.hypot(one.x - other.x, one.y - other.y) < 0.5;
 const seen = (page, place) => page.evaluate((place) => window.hardball.screenPlace(place), place);
 
 test('a question mark shows all keys and what units mean, and Esc hides them', async () => {
   await withTwo(async (page) => {
-    await page.evaluate(() => window.hardball.follow(1));
+    await follow(page, 1);
     await page.keyboard.press('?');
     assert.ok(await page.locator('#help').isVisible());
     const keys = (await page.locator('#help dt').allTextContents()).join(' ');
@@ -183,14 +148,14 @@ test('in a plane the arrows move the picture, and nothing turns it', async () =>
 
 test('the scale bar is as long as it says, and numbers have units', async () => {
   await withTwo(async (page) => {
-    await page.evaluate(() => window.hardball.setTime(1));
-    await page.evaluate(() => window.hardball.follow(0));
+    await setTime(page, 1);
+    await follow(page, 0);
     await page.keyboard.press('g');
     await page.keyboard.press('z');
     const lengths = [];
     for (const zooms of [0, 12, 20]) {
       for (let k = 0; k < zooms; ++k) await page.keyboard.press('+');
-      await page.evaluate(() => window.hardball.setTime(1));
+      await setTime(page, 1);
       const text = await page.textContent('#scale-text');
       const length = Number(/^([\d.]+) L$/.exec(text)[1]);
       const { width } = await page.locator('#scale-bar').boundingBox();
@@ -212,12 +177,10 @@ test('the scale bar is as long as it says, and numbers have units', async () => 
 });
 
 test('rings do not bury a heap at rest, and show where spheres fall on it', async () => {
-  const prepare = async (out, folder) =>
-    run('run', await writeScenario(folder, kHeap), '--out', out, '--quiet');
-  await withView(prepare, async (page) => {
+  const work = async (page) => {
     assert.ok(await page.isChecked('#show-events'));
     const ringsAt = async (time) => {
-      await page.evaluate((time) => window.hardball.setTime(time), time);
+      await setTime(page, time);
       return (await state(page)).flashes;
     };
     let falling = 0;
@@ -232,14 +195,15 @@ test('rings do not bury a heap at rest, and show where spheres fall on it', asyn
     await page.evaluate(() => (document.getElementById('speed').value = document.getElementById('speed').max));
     await page.locator('#speed').dispatchEvent('input');
     assert.ok((await ringsAt(3)) <= 150 / 5 + 1e-3);
-  });
+  };
+  await withOutput(kHeap, (out) => withView(out, work));
 });
 
 test('on a phone the card shows position and velocity', async () => {
   await withTwo(
     async (page) => {
-      await page.evaluate(() => window.hardball.setTime(1));
-      await page.evaluate(() => window.hardball.follow(0));
+      await setTime(page, 1);
+      await follow(page, 0);
       await page.waitForFunction(() => document.getElementById('sphere-position').textContent !== '');
       for (const id of ['#sphere-position', '#sphere-velocity', '#sphere-speed', '#sphere-next']) {
         assert.ok(await page.locator(id).isVisible(), id);

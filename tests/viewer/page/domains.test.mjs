@@ -5,10 +5,10 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
-import { Browser, middleOf } from '../support/browser.mjs';
-import { view, withFolder, writeScenario } from '../support/program.mjs';
+import { test } from 'node:test';
+import { middleOf } from '../support/browser.mjs';
+import { browser, follow, setTime, state, withSaved, withView } from '../support/pages.mjs';
+import { withFolder, writeScenario } from '../support/program.mjs';
 
 // A gas that is cut across x, its longest axis.
 const kGas = `
@@ -27,30 +27,14 @@ until = 2.0
 seed = 4
 `;
 
-let browser;
-
-before(async () => {
-  browser = await Browser.launch();
-});
-
-after(() => browser?.close());
-
 // Shows the finished live run of the gas with these options.
-async function withGas(options, work) {
-  await withFolder(async (folder) => {
-    const program = await view(await writeScenario(folder, kGas), ...options);
-    try {
-      const page = await browser.open(program.url);
+function withGas(words, work) {
+  return withFolder(async (folder) => {
+    const showFinished = async (page) => {
       await page.waitForFunction(() => window.hardball.state().status.finished);
-      try {
-        await work(page, folder);
-        assert.deepEqual(page.errors, []);
-      } finally {
-        await page.context().close();
-      }
-    } finally {
-      await program.stop();
-    }
+      await work(page, folder);
+    };
+    await withView(await writeScenario(folder, kGas), showFinished, { words });
   });
 }
 
@@ -66,7 +50,7 @@ const legend = (page) =>
 test('each sphere has the color of the domain whose block it is in', async () => {
   await withGas(['--threads', '2'], async (page) => {
     await page.locator('#color-by option[value=domain]').waitFor({ state: 'attached' });
-    const { divisions } = await page.evaluate(() => window.hardball.state().status);
+    const { divisions } = (await state(page)).status;
     const cut = divisions[0].blocks[0].high[0];
     assert.ok(cut > 10 && cut < 14, `${cut}`);
     await page.selectOption('#color-by', 'domain');
@@ -86,7 +70,7 @@ test('each sphere has the color of the domain whose block it is in', async () =>
     // As drawn: blue on one side, orange on the other, the eye looking along z.
     await page.uncheck('#show-events');
     await page.keyboard.press('z');
-    await page.evaluate(() => window.hardball.setTime(1));
+    await setTime(page, 1);
     const colors = await legend(page);
     assert.deepEqual(colors, ['rgb(0, 114, 178)', 'rgb(230, 159, 0)']);
     const picture = await browser.pixels(page);
@@ -98,7 +82,7 @@ test('each sphere has the color of the domain whose block it is in', async () =>
     assert.ok(Math.abs(blue.x - left) < 0.2 * Math.abs(right - left), `${blue.x} and ${left}`);
     assert.ok(Math.abs(orange.x - right) < 0.2 * Math.abs(right - left), `${orange.x} and ${right}`);
     // The card names the domain, too.
-    await page.evaluate(() => window.hardball.follow(7));
+    await follow(page, 7);
     const domain = await page.evaluate(() => String(window.hardball.domain(7)));
     await page.waitForFunction((domain) => document.getElementById('sphere-domain').textContent === domain, domain);
   });
@@ -109,7 +93,7 @@ test('sixteen domains differ in color, and windows that failed are counted', asy
   await withGas(['--threads', '16', ...isDilute], async (page) => {
     await page.locator('#color-by option[value=domain]').waitFor({ state: 'attached' });
     await page.selectOption('#color-by', 'domain');
-    const { windows, divisions } = await page.evaluate(() => window.hardball.state().status);
+    const { windows, divisions } = (await state(page)).status;
     assert.equal(divisions.at(-1).blocks.length, 16);
     const colors = await legend(page);
     assert.equal(new Set(colors).size, 16, `${colors}`);
@@ -142,10 +126,9 @@ test('with one thread there are no domains, and in a saved replay none either', 
     const saved = join(folder, 'saved.html');
     await download.saveAs(saved);
     assert.ok((await readFile(saved)).length > 100_000);
-    const replay = await browser.open(pathToFileURL(saved).href);
-    assert.ok(!(await offersDomains(replay)));
-    assert.ok(await replay.locator('#windows').isHidden());
-    assert.deepEqual(replay.errors, []);
-    await replay.context().close();
+    await withSaved(saved, async (replay) => {
+      assert.ok(!(await offersDomains(replay)));
+      assert.ok(await replay.locator('#windows').isHidden());
+    });
   });
 });

@@ -5,18 +5,11 @@
 // spheres move.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
-import { Browser } from '../support/browser.mjs';
+import { test } from 'node:test';
+import { browser, follow, state, withSaved } from '../support/pages.mjs';
 import { run, withFolder, writeScenario } from '../support/program.mjs';
 
-let browser;
-
-before(async () => {
-  browser = await Browser.launch();
-});
-
-after(() => browser?.close());
+const kWindow = { width: 1200, height: 800 };
 
 // The share of the picture that spheres cover; their color is blue, that of rattlers orange.
 async function coverage(page) {
@@ -56,50 +49,51 @@ for (const options of [['--dimensions', '2', '--phi', 'max'], ['--phi', 'max'], 
     await withFolder(async (folder) => {
       const file = join(folder, 'packing.html');
       await run('pack', '--count', '80', '--rate', '0.1', ...options, '--quiet', '--replay', file);
-      const page = await browser.open(pathToFileURL(file).href, { width: 1200, height: 800 });
-      const hasForces = options.includes('max');
-      assert.equal(await page.isVisible('#show-forces'), hasForces);
-      const { forces, spheres, colorBy } = await page.evaluate(() => window.hardball.state());
-      assert.deepEqual(await visible(page, [...kOfTime, ...kOfMotion]), []);
-      assert.equal(await page.isVisible('#screenshot'), true);
-      assert.deepEqual(await colorings(page), ['Size', 'Species', ...(hasForces ? ['Contacts'] : [])]);
-      assert.equal(await page.inputValue('#color-by'), colorBy);
-      const isFlat = options.includes('2');
-      assert.deepEqual(await keys(page), [
-        ...['← → ↑ ↓', '+ −', ...(isFlat ? [] : ['X Y Z']), 'F', '0', 'G'],
-        ...['I', ...(hasForces ? ['L'] : []), 'Esc', '?'],
-      ]);
-      await page.evaluate(() => window.hardball.follow(0));
-      await page.waitForSelector('#sphere', { state: 'visible' });
-      const card = ['#sphere-position', '#sphere-contacts', '#sphere-velocity', '#sphere-speed', '#sphere-collisions'];
-      assert.deepEqual(
-        await visible(page, [...card, '#sphere-next', '#sphere-crossing', '#camera-follows']),
-        ['#sphere-position', ...(hasForces ? ['#sphere-contacts'] : [])],
-      );
-      await page.evaluate(() => window.hardball.follow(null));
-      await page.waitForSelector('#sphere', { state: 'hidden' });
-      assert.equal(spheres, 80);
-      if (hasForces) {
-        assert.ok(forces > 100, `${forces}`);
-        assert.match(await page.textContent('#legend-species'), /held: \d+rattlers: \d+/);
-        const small = await coverage(page);
-        await page.keyboard.press('l');
-        await page.waitForTimeout(500);
-        assert.ok((await coverage(page)) > 2 * small, 'spheres are small where lines are shown');
-        const bySpecies = await pixelsOf(page);
-        await page.selectOption('#color-by', 'contacts');
-        await page.waitForTimeout(500);
-        assert.ok(!bySpecies.equals(await pixelsOf(page)), 'spheres have other colors');
-        const [least, , most] = await page.locator('#legend-numbers span').allTextContents();
-        assert.equal(Number(least), 0);
-        assert.ok(Number(most) >= (isFlat ? 4 : 6), most);
-      } else {
-        assert.equal(forces, 0);
-      }
-      assert.deepEqual(page.errors, []);
-      await page.context().close();
+      await withSaved(file, (page) => examine(page, options), kWindow);
     });
   });
+
+async function examine(page, options) {
+  const hasForces = options.includes('max');
+  assert.equal(await page.isVisible('#show-forces'), hasForces);
+  const { forces, spheres, colorBy } = await state(page);
+  assert.deepEqual(await visible(page, [...kOfTime, ...kOfMotion]), []);
+  assert.equal(await page.isVisible('#screenshot'), true);
+  assert.deepEqual(await colorings(page), ['Size', 'Species', ...(hasForces ? ['Contacts'] : [])]);
+  assert.equal(await page.inputValue('#color-by'), colorBy);
+  const isFlat = options.includes('2');
+  assert.deepEqual(await keys(page), [
+    ...['← → ↑ ↓', '+ −', ...(isFlat ? [] : ['X Y Z']), 'F', '0', 'G'],
+    ...['I', ...(hasForces ? ['L'] : []), 'Esc', '?'],
+  ]);
+  await follow(page, 0);
+  await page.waitForSelector('#sphere', { state: 'visible' });
+  const card = ['#sphere-position', '#sphere-contacts', '#sphere-velocity', '#sphere-speed', '#sphere-collisions'];
+  assert.deepEqual(
+    await visible(page, [...card, '#sphere-next', '#sphere-crossing', '#camera-follows']),
+    ['#sphere-position', ...(hasForces ? ['#sphere-contacts'] : [])],
+  );
+  await follow(page, null);
+  await page.waitForSelector('#sphere', { state: 'hidden' });
+  assert.equal(spheres, 80);
+  if (hasForces) {
+    assert.ok(forces > 100, `${forces}`);
+    assert.match(await page.textContent('#legend-species'), /held: \d+rattlers: \d+/);
+    const small = await coverage(page);
+    await page.keyboard.press('l');
+    await page.waitForTimeout(500);
+    assert.ok((await coverage(page)) > 2 * small, 'spheres are small where lines are shown');
+    const bySpecies = await pixelsOf(page);
+    await page.selectOption('#color-by', 'contacts');
+    await page.waitForTimeout(500);
+    assert.ok(!bySpecies.equals(await pixelsOf(page)), 'spheres have other colors');
+    const [least, , most] = await page.locator('#legend-numbers span').allTextContents();
+    assert.equal(Number(least), 0);
+    assert.ok(Number(most) >= (isFlat ? 4 : 6), most);
+  } else {
+    assert.equal(forces, 0);
+  }
+}
 
 // A gas at one moment: its spheres move, but no time passes.
 const kGas = `
@@ -122,15 +116,15 @@ for (const [until, hasTime] of [
     await withFolder(async (folder) => {
       const file = join(folder, 'gas.html');
       await run('replay', await writeScenario(folder, kGas), '--until', String(until), '--out', file);
-      const page = await browser.open(pathToFileURL(file).href, { width: 1200, height: 800 });
-      assert.deepEqual(await visible(page, kOfTime), hasTime ? kOfTime : []);
-      assert.deepEqual(await visible(page, kOfMotion), kOfMotion);
-      const ofTime = hasTime ? ['Collisions', 'Last contact'] : [];
-      assert.deepEqual(await colorings(page), ['Speed', 'Size', 'Species', ...ofTime]);
-      assert.equal((await keys(page)).includes('Space'), hasTime);
-      await page.keyboard.press(' ');
-      assert.equal((await page.evaluate(() => window.hardball.state())).isPlaying, hasTime);
-      assert.deepEqual(page.errors, []);
-      await page.context().close();
+      const show = async (page) => {
+        assert.deepEqual(await visible(page, kOfTime), hasTime ? kOfTime : []);
+        assert.deepEqual(await visible(page, kOfMotion), kOfMotion);
+        const ofTime = hasTime ? ['Collisions', 'Last contact'] : [];
+        assert.deepEqual(await colorings(page), ['Speed', 'Size', 'Species', ...ofTime]);
+        assert.equal((await keys(page)).includes('Space'), hasTime);
+        await page.keyboard.press(' ');
+        assert.equal((await state(page)).isPlaying, hasTime);
+      };
+      await withSaved(file, show, kWindow);
     });
   });

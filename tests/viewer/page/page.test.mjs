@@ -3,11 +3,22 @@
 import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { readRecording } from '../../../apps/viewer/page/src/recording/recording_file.js';
-import { Browser, middleOf } from '../support/browser.mjs';
-import { readTrajectory, run, view, withFolder, writeScenario } from '../support/program.mjs';
+import { middleOf } from '../support/browser.mjs';
+import {
+  browser,
+  isBlue,
+  isOrange,
+  setQuality,
+  setTime,
+  state,
+  withOutput,
+  withSaved,
+  withView,
+} from '../support/pages.mjs';
+import { readTrajectory, run, withFolder, writeScenario } from '../support/program.mjs';
 
 const kGas = `
 [box]
@@ -51,31 +62,16 @@ until = 4.0
 recording = true
 `;
 
-let browser;
-
-before(async () => {
-  browser = await Browser.launch();
-});
-
-after(() => browser?.close());
-
 // Runs `scenario` to its end, and shows it.
-async function withRun(scenario, work, options) {
-  await withFolder(async (folder) => {
-    const out = join(folder, 'out');
-    await run('run', await writeScenario(folder, scenario), '--out', out, '--quiet');
-    const program = await view(out);
-    try {
-      const page = await browser.open(program.url, options);
-      try {
-        await work(page, { out, program, folder });
-      } finally {
-        await page.context().close();
-      }
-    } finally {
-      await program.stop();
-    }
-  });
+function withRun(scenario, work, options) {
+  return withOutput(scenario, (out, folder) =>
+    withView(out, (page, program) => work(page, { out, program, folder }), options),
+  );
+}
+
+// Shows a live run of the gas.
+function withLive(words, work) {
+  return withFolder(async (folder) => withView(await writeScenario(folder, kGas), work, { words }));
 }
 
 async function contactTimes(out) {
@@ -83,8 +79,6 @@ async function contactTimes(out) {
   const { chunks } = readRecording(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
   return chunks.flatMap((chunk) => Array.from({ length: chunk.contacts }, (_, k) => chunk.time(k)));
 }
-
-const state = (page) => page.evaluate(() => window.hardball.state());
 
 test('a finished run can be played, paused, scrubbed and stepped through, without errors', async () => {
   await withRun(kGas, async (page, { out }) => {
@@ -133,7 +127,6 @@ test('a finished run can be played, paused, scrubbed and stepped through, withou
       (time) => window.hardball.state().isPlaying && window.hardball.time > time,
       times[0],
     );
-    assert.deepEqual(page.errors, []);
   });
 });
 
@@ -165,16 +158,14 @@ test('centers are those that the library writes into its trajectory', async () =
 test('spheres are drawn where they are, in their colors and sizes, as impostors and as points', async () => {
   await withRun(kPair, async (page) => {
     const area = await page.locator('#canvas').boundingBox();
-    const isBlue = (red, green, blue) => blue > red + 25;
-    const isOrange = (red, green, blue) => red > blue + 60;
     const background = (image) => [
       ...image.data.subarray(4 * ((area.y + 30) * image.width + area.x + area.width - 30)).subarray(0, 3),
     ];
     await page.evaluate(() => (document.getElementById('color-by').value = 'species'));
     for (const way of ['full', 'points']) {
-      await page.evaluate((way) => window.hardball.setQuality(way), way);
+      await setQuality(page, way);
       for (const time of [0.5, 2.5]) {
-        await page.evaluate((time) => window.hardball.setTime(time), time);
+        await setTime(page, time);
         const image = await browser.pixels(page);
         assert.deepEqual(background(image), [0xf4, 0xf5, 0xf7]);
         const places = await page.evaluate(() => [0, 1].map((id) => window.hardball.screenPosition(id)));
@@ -184,14 +175,11 @@ test('spheres are drawn where they are, in their colors and sizes, as impostors 
           // Near the edge of the picture a sphere looks like an ellipse, whose middle is not its center.
           const tolerance = 1 + 0.06 * radius;
           assert.ok(seen[id].count > 100, `${way}: sphere ${id} covers ${seen[id].count} pixels`);
-          assert.ok(
-            Math.abs(seen[id].x - places[id].x) < tolerance,
-            `${way}: ${seen[id].x} is not ${places[id].x}`,
-          );
-          assert.ok(
-            Math.abs(seen[id].y - places[id].y) < tolerance,
-            `${way}: ${seen[id].y} is not ${places[id].y}`,
-          );
+          for (const side of ['x', 'y'])
+            assert.ok(
+              Math.abs(seen[id][side] - places[id][side]) < tolerance,
+              `${way}: ${seen[id][side]} is not ${places[id][side]}`,
+            );
         }
         // Of radii 0.5 and 1.2, at about the same distance.
         const ratio = Math.sqrt(seen[1].count / seen[0].count);
@@ -203,7 +191,7 @@ test('spheres are drawn where they are, in their colors and sizes, as impostors 
 
 test('a clicked sphere is followed: its numbers, its path, its cells', async () => {
   await withRun(kPair, async (page) => {
-    await page.evaluate(() => window.hardball.setTime(1));
+    await setTime(page, 1);
     const { x, y } = await page.evaluate(() => window.hardball.screenPosition(1));
     await page.mouse.click(x, y);
     assert.equal((await state(page)).followed, 1);
@@ -214,7 +202,7 @@ test('a clicked sphere is followed: its numbers, its path, its cells', async () 
       /^(enter|leave) along [xyz]/.test(document.getElementById('sphere-crossing').textContent),
     );
     await page.check('#camera-follows');
-    await page.evaluate(() => window.hardball.setTime(3));
+    await setTime(page, 3);
     const area = await page.locator('#canvas').boundingBox();
     const followed = await page.evaluate(() => window.hardball.screenPosition(1));
     assert.ok(
@@ -223,17 +211,16 @@ test('a clicked sphere is followed: its numbers, its path, its cells', async () 
     );
     await page.keyboard.press('Escape');
     assert.equal((await state(page)).followed, null);
-    assert.deepEqual(page.errors, []);
   });
 });
 
 test('all colorings, cells, flashes and a screenshot', async () => {
   await withRun(kGas, async (page) => {
-    await page.evaluate(() => window.hardball.setTime(3));
+    await setTime(page, 3);
     const pictures = new Set();
     for (const name of ['speed', 'size', 'species', 'collisions', 'last contact']) {
       await page.selectOption('#color-by', name);
-      await page.evaluate(() => window.hardball.setTime(3));
+      await setTime(page, 3);
       pictures.add((await page.locator('#canvas').screenshot()).toString('base64'));
     }
     // All spheres are equal, so that two of the colorings need not differ from others.
@@ -247,25 +234,16 @@ test('all colorings, cells, flashes and a screenshot', async () => {
     await page.click('#slow');
     const [download] = await Promise.all([page.waitForEvent('download'), page.click('#screenshot')]);
     assert.equal((await readFile(await download.path())).subarray(1, 4).toString(), 'PNG');
-    assert.deepEqual(page.errors, []);
   });
 });
 
 test('a live run can be watched', async () => {
-  await withFolder(async (folder) => {
-    const program = await view(await writeScenario(folder, kGas), '--until', '20');
-    try {
-      const page = await browser.open(program.url);
-      await page.waitForFunction(
-        () => window.hardball.state().status.finished && window.hardball.state().knownEnd === 20,
-      );
-      await page.evaluate(() => window.hardball.setTime(19.5));
-      assert.equal((await state(page)).time, 19.5);
-      assert.deepEqual(page.errors, []);
-      await page.context().close();
-    } finally {
-      await program.stop();
-    }
+  await withLive(['--until', '20'], async (page) => {
+    await page.waitForFunction(
+      () => window.hardball.state().status.finished && window.hardball.state().knownEnd === 20,
+    );
+    await setTime(page, 19.5);
+    assert.equal((await state(page)).time, 19.5);
   });
 });
 
@@ -276,12 +254,12 @@ test('a saved replay needs no server', async () => {
     const path = join(folder, 'replay.html');
     await writeFile(path, await readFile(await download.path()));
     await program.stop();
-    const replay = await browser.open(pathToFileURL(path).href);
-    await replay.evaluate(() => window.hardball.setTime(5.5));
-    assert.deepEqual(await replay.evaluate(() => window.hardball.position(7)), place);
-    assert.equal(await replay.textContent('#status-text'), 'Saved replay');
-    assert.deepEqual(replay.errors, []);
-    await replay.context().close();
+    await withSaved(path, async (replay) => {
+      await setTime(replay, 5.5);
+      assert.deepEqual(await replay.evaluate(() => window.hardball.position(7)), place);
+      assert.equal(await replay.textContent('#status-text'), 'Saved replay');
+    });
+    page.errors = []; // of the page whose server is gone
   });
 });
 
@@ -320,16 +298,14 @@ test('no one is served without the right token', async () => {
 });
 
 test('when the program is gone, the page says so, and the part loaded can be viewed', async () => {
-  await withFolder(async (folder) => {
-    const program = await view(await writeScenario(folder, kGas), '--until', '1e7');
-    const page = await browser.open(program.url);
+  await withLive(['--until', '1e7'], async (page, program) => {
     await page.waitForFunction(() => window.hardball.state().chunksInMemory > 2);
     await program.stop();
     await page.waitForFunction(() => window.hardball.state().isLost);
     assert.match(await page.textContent('#notices'), /does not answer/);
-    const moment = await page.evaluate(() => window.hardball.setTime(0.25));
+    const moment = await setTime(page, 0.25);
     assert.equal(moment, 0.25);
-    await page.context().close();
+    page.errors = []; // that the program does not answer
   });
 });
 

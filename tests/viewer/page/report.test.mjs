@@ -4,10 +4,8 @@
 // How a browser sets the report of a run, on the screen and on paper.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
-import { Browser } from '../support/browser.mjs';
-import { run, withFolder, writeScenario } from '../support/program.mjs';
+import { test } from 'node:test';
+import { withDocument, withOutput } from '../support/pages.mjs';
 
 // A mixture between walls: it has everything that makes labels and formulas long.
 const kMixture = `
@@ -44,23 +42,8 @@ seed = 4
 every = 0.5
 `;
 
-let browser;
-
-before(async () => {
-  browser = await Browser.launch();
-});
-
-after(() => browser?.close());
-
-async function withReport(work, options) {
-  await withFolder(async (folder) => {
-    const out = join(folder, 'out');
-    await run('run', await writeScenario(folder, kMixture), '--out', out, '--quiet');
-    const page = await browser.openPage(pathToFileURL(join(out, 'report.html')).href, options);
-    await work(page);
-    assert.deepEqual(page.errors, []);
-    await page.context().close();
-  });
+function withReport(work, options) {
+  return withOutput(kMixture, (out) => withDocument(join(out, 'report.html'), work, options));
 }
 
 for (const width of [1280, 390]) {

@@ -3,47 +3,14 @@
 
 // Gravity, surfaces, sizes and periodic images, in recordings that are made here.
 import assert from 'node:assert/strict';
-import { mkdir, writeFile } from 'node:fs/promises';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { Browser, middleOf } from '../support/browser.mjs';
+import { test } from 'node:test';
+import { middleOf } from '../support/browser.mjs';
 import { recordLoneSpheres } from '../support/lone_spheres.mjs';
-import { view, withFolder } from '../support/program.mjs';
+import { browser, follow, isBlue, isOrange, setQuality, setTime, state, withRecording } from '../support/pages.mjs';
 
 const kOpen = { size: [0, 0, 0], boundary: ['open', 'open', 'open'] };
 
-let browser;
-
-before(async () => {
-  browser = await Browser.launch();
-});
-
-after(() => browser?.close());
-
-// Shows a recording of lone spheres.
-async function withRecording(spheres, work, options) {
-  await withFolder(async (folder) => {
-    const out = join(folder, 'out');
-    await mkdir(out);
-    await writeFile(join(out, 'recording.hbr'), Buffer.from(recordLoneSpheres(spheres)));
-    const program = await view(out);
-    try {
-      const page = await browser.open(program.url, options);
-      try {
-        await work(page);
-        assert.deepEqual(page.errors, []);
-      } finally {
-        await page.context().close();
-      }
-    } finally {
-      await program.stop();
-    }
-  });
-}
-
-const state = (page) => page.evaluate(() => window.hardball.state());
-const isBlue = (red, green, blue) => blue > red + 25;
-const isOrange = (red, green, blue) => red > blue + 60;
+const withSpheres = (spheres, work) => withRecording(recordLoneSpheres(spheres), work);
 
 // Two thrown spheres of different species, in space where nothing else is drawn.
 const kThrown = {
@@ -62,12 +29,12 @@ const kThrown = {
 };
 
 test('thrown spheres are drawn on their parabolas, as impostors and as points', async () => {
-  await withRecording(kThrown, async (page) => {
+  await withSpheres(kThrown, async (page) => {
     const area = await page.locator('#canvas').boundingBox();
     for (const way of ['full', 'points']) {
-      await page.evaluate((way) => window.hardball.setQuality(way), way);
+      await setQuality(page, way);
       for (const time of [0.25, 1.5, 2.5]) {
-        await page.evaluate((time) => window.hardball.setTime(time), time);
+        await setTime(page, time);
         const height = (await page.evaluate(() => window.hardball.position(0)))[2];
         assert.ok(Math.abs(height - (3 * time - time ** 2)) < 1e-12);
         const image = await browser.pixels(page);
@@ -88,11 +55,11 @@ test('thrown spheres are drawn on their parabolas, as impostors and as points', 
 });
 
 test('the speed shown is that at the time shown, and up is against gravity', async () => {
-  await withRecording(kThrown, async (page) => {
-    await page.evaluate(() => window.hardball.follow(0));
-    await page.evaluate(() => window.hardball.setTime(1.5));
+  await withSpheres(kThrown, async (page) => {
+    await follow(page, 0);
+    await setTime(page, 1.5);
     await page.waitForFunction(() => document.getElementById('sphere-speed').textContent === '0.5000');
-    await page.evaluate(() => window.hardball.setTime(3));
+    await setTime(page, 3);
     await page.waitForFunction(() => document.getElementById('sphere-speed').textContent === '3.041');
     const [low, high] = await page.evaluate(() =>
       [
@@ -105,10 +72,10 @@ test('the speed shown is that at the time shown, and up is against gravity', asy
 });
 
 test('spheres are colored by their speed at the time shown', async () => {
-  await withRecording(kThrown, async (page) => {
+  await withSpheres(kThrown, async (page) => {
     await page.selectOption('#color-by', 'speed');
     // One that was faster when thrown is slower than the other.
-    await page.evaluate(() => window.hardball.setTime(1.5));
+    await setTime(page, 1.5);
     const image = await browser.pixels(page);
     const greens = [];
     for (const id of [0, 1]) {
@@ -131,13 +98,13 @@ const kWalls = {
 };
 
 test('surfaces are drawn where they are, named in the legend, and can be hidden', async () => {
-  await withRecording(kWalls, async (page) => {
+  await withSpheres(kWalls, async (page) => {
     const names = ['wall 0: plane', 'wall 1: cylinder', 'wall 2: obstacle', 'wall 3: sphere'];
     assert.deepEqual((await state(page)).surfaces, names);
     const legend = await page.textContent('#legend-surfaces');
     for (const text of [...names, 'plane, oscillates', 'obstacle, kT = 1.50', 'sphere, moves'])
       assert.ok(legend.includes(text), `${text} is not in ${legend}`);
-    await page.evaluate(() => window.hardball.setTime(0.5));
+    await setTime(page, 0.5);
     assert.deepEqual(await page.evaluate(() => window.hardball.surfacePoint(0)), [0, 0, -0.75]);
 
     // The obstacle is red, since it is hot.
@@ -151,7 +118,7 @@ test('surfaces are drawn where they are, named in the legend, and can be hidden'
     const canvas = page.locator('#canvas');
     const atRest = (await canvas.screenshot()).toString('base64');
     await page.keyboard.press('w');
-    await page.evaluate(() => window.hardball.setTime(0.5));
+    await setTime(page, 0.5);
     const hidden = (await canvas.screenshot()).toString('base64');
     assert.notEqual(hidden, atRest);
     assert.equal(middleOf(await browser.pixels(page), area, isRed).count, 0);
@@ -161,10 +128,10 @@ test('surfaces are drawn where they are, named in the legend, and can be hidden'
 test('an oscillating plane moves while nothing else does', async () => {
   const [plane] = kWalls.surfaces;
   const high = { ...kThrown, gravity: [0, 0, 0], velocities: kThrown.velocities.map(() => [0, 0, 0]) };
-  await withRecording({ ...high, surfaces: [plane] }, async (page) => {
+  await withSpheres({ ...high, surfaces: [plane] }, async (page) => {
     const pictures = new Set();
     for (const time of [0.5, 1, 1.5, 2]) {
-      await page.evaluate((time) => window.hardball.setTime(time), time);
+      await setTime(page, time);
       pictures.add((await page.locator('#canvas').screenshot()).toString('base64'));
     }
     // At 1 and 2 it is in the middle.
@@ -173,8 +140,8 @@ test('an oscillating plane moves while nothing else does', async () => {
 });
 
 test('contacts with surfaces are named', async () => {
-  await withRecording(kWalls, async (page) => {
-    await page.evaluate(() => window.hardball.follow(1));
+  await withSpheres(kWalls, async (page) => {
+    await follow(page, 1);
     await page.waitForFunction(() =>
       /^wall [01]: (plane|cylinder) in/.test(document.getElementById('sphere-next').textContent),
     );
@@ -182,7 +149,7 @@ test('contacts with surfaces are named', async () => {
     await page.waitForFunction(() =>
       /Sphere 1 meets wall [01]: (plane|cylinder)/.test(document.getElementById('notices').textContent),
     );
-    await page.evaluate(() => window.hardball.setTime(0));
+    await setTime(page, 0);
     await page.waitForFunction(() => !/meets/.test(document.getElementById('notices').textContent));
   });
 });
@@ -197,17 +164,17 @@ test('a sphere of a hundredth of the radius of others is seen, and can be picked
       [20, 0, 0],
     ],
   };
-  await withRecording(spheres, async (page) => {
+  await withSpheres(spheres, async (page) => {
     await page.selectOption('#color-by', 'size');
     // Both ends and the geometric mean.
     const numbers = await page.locator('#legend-numbers span').allTextContents();
     assert.deepEqual(numbers, ['0.0200 L', '0.200 L', '2.00 L']);
-    await page.evaluate(() => window.hardball.setTime(0));
+    await setTime(page, 0);
     const { x, y } = await page.evaluate(() => window.hardball.screenPosition(1));
     const around = { x: x - 4, y: y - 4, width: 8, height: 8 };
     for (const way of ['full', 'points']) {
-      await page.evaluate((way) => window.hardball.setQuality(way), way);
-      await page.evaluate(() => window.hardball.setTime(0));
+      await setQuality(page, way);
+      await setTime(page, 0);
       // The smallest are violet, the largest yellow.
       const { count } = middleOf(
         await browser.pixels(page),
@@ -230,37 +197,37 @@ test('a sphere that crosses a periodic face is drawn on both sides, and can be p
     positions: [[0.2, 5, 5]],
     velocities: [[1, 0, 0]],
   };
-  await withRecording(crossing, async (page) => {
-    await page.evaluate(() => window.hardball.setTime(0));
+  await withSpheres(crossing, async (page) => {
+    await setTime(page, 0);
     assert.equal((await state(page)).images, 1);
     const at = (place) => page.evaluate((place) => window.hardball.screenPlace(place), place);
     const { x, y } = await at([10.2, 5, 5]);
     const area = { x: x - 20, y: y - 20, width: 40, height: 40 };
     const isColored = (red, green, blue) => Math.max(red, green, blue) > Math.min(red, green, blue) + 40;
     for (const way of ['full', 'points']) {
-      await page.evaluate((way) => window.hardball.setQuality(way), way);
-      await page.evaluate(() => window.hardball.setTime(0));
+      await setQuality(page, way);
+      await setTime(page, 0);
       assert.ok(middleOf(await browser.pixels(page), area, isColored).count > 1000, way);
     }
     await page.mouse.click(x, y);
     assert.equal((await state(page)).followed, 0);
     await page.keyboard.press('Escape');
     await page.keyboard.press('i');
-    await page.evaluate(() => window.hardball.setTime(0));
+    await setTime(page, 0);
     assert.equal((await state(page)).images, 0);
     assert.equal(middleOf(await browser.pixels(page), area, isColored).count, 0);
     await page.keyboard.press('i');
-    await page.evaluate(() => window.hardball.setTime(2));
+    await setTime(page, 2);
     assert.equal((await state(page)).images, 0, 'it has left the face');
   });
 });
 
 test('the energy plot includes the potential energy', async () => {
-  await withRecording(kThrown, async (page) => {
+  await withSpheres(kThrown, async (page) => {
     assert.equal(await page.textContent('#energy-name'), 'Kinetic and potential energy');
     assert.ok(await page.locator('#figure-energy').isVisible());
   });
-  await withRecording({ ...kThrown, gravity: [0, 0, 0] }, async (page) => {
+  await withSpheres({ ...kThrown, gravity: [0, 0, 0] }, async (page) => {
     assert.ok(!(await page.locator('#figure-energy').isVisible()));
   });
 });

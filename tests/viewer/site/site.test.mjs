@@ -5,21 +5,12 @@
 import assert from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
-import { Browser } from '../support/browser.mjs';
+import { test } from 'node:test';
+import { withDocument } from '../support/pages.mjs';
 
 const kSite = process.env.HARDBALL_SITE;
 const kFiles = readdirSync(kSite, { recursive: true });
 const kPages = kFiles.filter((name) => name.endsWith('.html') && !name.startsWith('_'));
-
-let browser;
-
-before(async () => {
-  browser = await Browser.launch();
-});
-
-after(() => browser?.close());
 
 // What of the page reaches beyond the window, or is cut; and how many blocks of code and of output there are.
 function measure() {
@@ -41,20 +32,22 @@ for (const width of [1280, 390])
     assert.ok(kPages.length > 40, `${kPages.length} pages`);
     let blocks = 0;
     for (const name of kPages) {
-      const page = await browser.openPage(pathToFileURL(join(kSite, name)).href, { width, height: 900 });
-      const found = await page.evaluate(measure);
-      assert.deepEqual(found.cut, [], name);
-      blocks += found.blocks;
-      await page.context().close();
+      const examine = async (page) => {
+        const found = await page.evaluate(measure);
+        assert.deepEqual(found.cut, [], name);
+        blocks += found.blocks;
+      };
+      await withDocument(join(kSite, name), examine, { width, height: 900 });
     }
     assert.ok(blocks > 100, `${blocks} blocks of code`);
   });
 
 test('the front page has a picture, and leads to installation and tour', async () => {
-  const page = await browser.openPage(pathToFileURL(join(kSite, 'index.html')).href, { width: 1280, height: 900 });
-  const width = await page.evaluate(() => document.querySelector('article img').naturalWidth);
-  assert.ok(width >= 600, `${width} pixels`);
-  for (const target of ['installation.html', 'tour.html'])
-    assert.ok((await page.locator(`article a[href="${target}"]`).count()) > 0, target);
-  await page.context().close();
+  const examine = async (page) => {
+    const width = await page.evaluate(() => document.querySelector('article img').naturalWidth);
+    assert.ok(width >= 600, `${width} pixels`);
+    for (const target of ['installation.html', 'tour.html'])
+      assert.ok((await page.locator(`article a[href="${target}"]`).count()) > 0, target);
+  };
+  await withDocument(join(kSite, 'index.html'), examine, { width: 1280, height: 900 });
 });

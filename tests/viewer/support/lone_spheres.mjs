@@ -20,26 +20,14 @@ export function recordLoneSpheres({
   positions,
   velocities,
   until,
-  name = 'lone spheres',
 }) {
   const contacts = radii.flatMap((radius, id) =>
     contactsOf({ box, gravity, surfaces, radius, id, until }, positions[id], velocities[id]),
   );
   contacts.sort((a, b) => a.time - b.time);
   const keyframe = radii.flatMap((_, id) => [...positions[id], ...velocities[id], 0]);
-  const header = {
-    spheres: radii.length,
-    box,
-    begin: 0,
-    until,
-    cell_edge: [0, 0, 0],
-    cell_origin: [0, 0, 0],
-    name,
-    restitution: 1,
-    gravity,
-    surfaces,
-  };
-  return writeRecording(header, radii, masses, [{ begin: 0, end: until, keyframe, contacts }]);
+  const chunk = { begin: 0, end: until, keyframe, contacts };
+  return writeRecording({ box, gravity, surfaces }, radii, masses, [chunk]);
 }
 
 function contactsOf({ box, gravity, surfaces, radius, id, until }, position, velocity) {

@@ -54,17 +54,7 @@ export function recordSmallGas({
     last = [first, second];
   }
   close(until);
-  const header = {
-    spheres: radii.length,
-    box,
-    begin: 0,
-    until,
-    cell_edge: Array(3).fill(cellEdge),
-    cell_origin: [0, 0, 0],
-    name: 'small gas',
-    restitution: 1,
-  };
-  return writeRecording(header, radii, masses, chunks);
+  return writeRecording({ box, cell_edge: Array(3).fill(cellEdge) }, radii, masses, chunks);
 }
 
 /** Spheres at random places of a lattice in a box of edge `edge` [L], with random velocities; a fixed history. */
@@ -156,12 +146,22 @@ function dot(a, b) {
 
 /**
  * The bytes of a recording; `chunks`: a list of {begin, end, keyframe, contacts}. Where they also have `bodies`,
- * contacts have a `fate`; where they have an `epoch`, of three numbers, spheres grow.
+ * contacts have a `fate`; where they have an `epoch`, of three numbers, spheres grow. What `header` leaves out is that
+ * of a run of elastic spheres without cells.
  */
 export function writeRecording(header, radii, masses, chunks) {
   const hasBodies = chunks.some(({ bodies }) => bodies !== undefined);
   const grows = chunks.some(({ epoch }) => epoch !== undefined);
-  let text = JSON.stringify({ ...header, bodies: hasBodies, ...(grows ? { growth: true } : {}) });
+  const usual = {
+    spheres: radii.length,
+    begin: 0,
+    until: chunks.at(-1).end,
+    cell_edge: [0, 0, 0],
+    cell_origin: [0, 0, 0],
+    name: 'small recording',
+    restitution: 1,
+  };
+  let text = JSON.stringify({ ...usual, ...header, bodies: hasBodies, ...(grows ? { growth: true } : {}) });
   while ((12 + text.length) % 8 !== 0) text += ' ';
   const parts = [];
   const seal = (...part) => {

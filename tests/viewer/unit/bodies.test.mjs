@@ -25,11 +25,6 @@ const kStill = [0, 0, 0];
 const kHeader = {
   spheres: 3,
   box: { size: [20, 10, 10], boundary: ['wall', 'wall', 'periodic'] },
-  begin: 0,
-  until: 8,
-  cell_edge: [0, 0, 0],
-  cell_origin: [0, 0, 0],
-  name: 'bodies',
   restitution: null,
   species: { names: ['drop', 'mist'], runs: [[0, 2], [1, 1]] },
 };
@@ -88,7 +83,7 @@ test('spheres that are missing at the start do not count', () => {
   assert.equal(playback.bodies.count, 2);
   assert.ok(!playback.bodies.exists(1));
   assert.deepEqual(findKinds(source.radii, source.masses).list.map(({ count }) => count), [1, 1]);
-  const { speed, rate } = typicalScales(source.chunks[0], source.radii, kHeader);
+  const { speed, rate } = typicalScales(source.chunks[0], source.radii, source.header);
   assert.equal(speed, 5);
   assert.equal(rate, 2 / (2 * 8));
 });

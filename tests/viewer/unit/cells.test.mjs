@@ -4,8 +4,10 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Box } from '../../../apps/viewer/page/src/motion/box.js';
 import { Cells } from '../../../apps/viewer/page/src/motion/cells.js';
+import { placeAfter } from '../../../apps/viewer/page/src/motion/path.js';
 
 const kBox = new Box({ size: [20, 20, 20], boundary: ['wall', 'periodic', 'open'] });
+const kFalling = new Box({ size: [10, 20, 6], boundary: ['periodic', 'wall', 'periodic'] }, [0.5, 0, -2]);
 
 test('a sphere enters a layer with its front and leaves it with its back', () => {
   const cells = new Cells([5, 5, 5], [0, 0, 0], kBox);
@@ -36,43 +38,55 @@ test('cells fold into the box where it is periodic', () => {
   assert.equal(cells.begin(-1, 2), -5.2);
 });
 
-test('the cells visited are those that the bounding box touches, and when', () => {
-  const cells = new Cells([3, 3, 3], [0, 0, 0], kBox);
-  const radius = 0.8;
-  const path = [10.3, 9.1, 4.7, 1.3, -0.7, 0.4, 2];
-  const from = 3;
-  const until = 9;
-  const touched = new Map();
-  const steps = 60000;
-  for (let step = 0; step <= steps; ++step) {
-    const time = from + ((until - from) * step) / steps;
-    const [low, high] = [-radius, radius].map((side) =>
-      [0, 1, 2].map((axis) => cells.index(path[axis] + (time - path[6]) * path[3 + axis] + side, axis)),
-    );
-    for (let x = low[0]; x <= high[0]; ++x) {
-      for (let y = low[1]; y <= high[1]; ++y) {
-        for (let z = low[2]; z <= high[2]; ++z) {
-          const key = `${x} ${y} ${z}`;
-          const times = touched.get(key) ?? [time, time];
-          times[1] = time;
-          touched.set(key, times);
+// Straight, and thrown up under gravity, so that a cell is entered again on the way down.
+for (const { box, path, isThrown } of [
+  { box: kBox, path: [10.3, 9.1, 4.7, 1.3, -0.7, 0.4, 2], isThrown: false },
+  { box: kFalling, path: [5.3, 9.1, 1.7, -2, -0.2, 7.4, 2], isThrown: true },
+]) {
+  test(`the cells visited are those that the bounding box touches, and when: thrown ${isThrown}`, () => {
+    const cells = new Cells([3, 3, 3], [0, 0, 0], box);
+    const radius = 0.8;
+    const [from, until, steps] = [3, 9, 60000];
+    const touched = new Map();
+    for (let step = 0; step <= steps; ++step) {
+      const time = from + ((until - from) * step) / steps;
+      const center = [0, 1, 2].map((axis) =>
+        placeAfter(time - path[6], path[axis], path[3 + axis], box.gravity[axis]),
+      );
+      const [low, high] = [-radius, radius].map((side) =>
+        center.map((place, axis) => cells.index(place + side, axis)),
+      );
+      for (let x = low[0]; x <= high[0]; ++x) {
+        for (let y = low[1]; y <= high[1]; ++y) {
+          for (let z = low[2]; z <= high[2]; ++z) {
+            const times = touched.get(`${x} ${y} ${z}`) ?? [];
+            touched.set(`${x} ${y} ${z}`, times);
+            if (times.length > 0 && step - times.at(-1).last <= 1) times.at(-1).last = step;
+            else times.push({ first: step, last: step });
+          }
         }
       }
     }
-  }
-  const resolution = (2 * (until - from)) / steps;
-  let visited = 0;
-  cells.visit(path, radius, from, until, (indices, enter, leave) => {
-    const times = touched.get(indices.join(' '));
-    // Cells touched for less than the resolution may be missed by the steps.
-    if (!times) return assert.ok(Math.min(leave, until) - Math.max(enter, from) <= resolution);
-    ++visited;
-    assert.ok(Math.abs(times[0] - Math.max(enter, from)) <= resolution);
-    assert.ok(Math.abs(times[1] - Math.min(leave, until)) <= resolution);
+    const length = (until - from) / steps;
+    let visits = 0;
+    cells.visit(path, radius, from, until, (indices, enter, leave) => {
+      const begin = Math.max(enter, from);
+      const end = Math.min(leave, until);
+      const isFound = (touched.get(indices.join(' ')) ?? []).some(
+        ({ first, last }) =>
+          Math.abs(from + first * length - begin) <= 2 * length &&
+          Math.abs(from + last * length - end) <= 2 * length,
+      );
+      if (isFound) ++visits;
+      // Cells touched for less than the resolution may be missed by the steps.
+      else assert.ok(end - begin <= 2 * length, `${indices} from ${begin} to ${end}`);
+    });
+    const times = [...touched.values()];
+    assert.equal(visits, times.flat().length);
+    assert.ok(visits > 10);
+    assert.equal(times.some(({ length }) => length === 2), isThrown);
   });
-  assert.equal(visited, touched.size);
-  assert.ok(visited > 10);
-});
+}
 
 test('the next crossing is the first of all that enter or leave', () => {
   const cells = new Cells([5, 5, 5], [0, 0, 0], kBox);

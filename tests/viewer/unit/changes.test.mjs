@@ -18,16 +18,7 @@ const kNothing = [0, 0, 0, 0, 0, 0];
 
 // Sphere 0 is sent off at time 1 and meets sphere 1 at time 3; then sphere 1 is sent off, and meets a wall.
 const kBytes = writeRecording(
-  {
-    spheres: 2,
-    box: { size: [10, 10, 10], boundary: ['wall', 'wall', 'wall'] },
-    begin: 0,
-    until: 8,
-    cell_edge: [0, 0, 0],
-    cell_origin: [0, 0, 0],
-    name: 'changes',
-    restitution: 1,
-  },
+  { box: { size: [10, 10, 10], boundary: ['wall', 'wall', 'wall'] } },
   [0.5, 0.5],
   [1, 2],
   [

@@ -18,13 +18,10 @@ import { readRecording } from '../../../apps/viewer/page/src/recording/recording
 import { summarize } from '../../../apps/viewer/page/src/statistics/chunk_summary.js';
 import { readSpeeds } from '../../../apps/viewer/page/src/statistics/speeds.js';
 import { recordLoneSpheres } from '../support/lone_spheres.mjs';
+import { assertNear } from '../support/near.mjs';
 
 const kGravity = [0.5, 0, -2];
 const kBox = new Box({ size: [10, 20, 6], boundary: ['periodic', 'wall', 'periodic'] }, kGravity);
-
-function assertNear(value, expected, tolerance, what = '') {
-  assert.ok(Math.abs(value - expected) <= tolerance, `${what} ${value} is not ${expected}`);
-}
 
 // Numbers from −1 to 1, always the same.
 function randomNumbers(seed) {
@@ -107,55 +104,6 @@ test('a motion that turns at a periodic face stays in its box', () => {
   // It rises from 3 and turns at 4, after one unit of time.
   const pieces = piecesInBox([1, 1, 3, 0, 0, 2, 0], 0, 2, box, { tolerance: 0.01 });
   assert.deepEqual(pieces.at(-1)[1], [1, 1, 3]);
-});
-
-test('the cells visited under gravity are those that the bounding box touches, and when', () => {
-  const cells = new Cells([3, 3, 3], [0, 0, 0], kBox);
-  const radius = 0.8;
-  const path = [5.3, 9.1, 1.7, -2, -0.2, 7.4, 2];
-  const [from, until, steps] = [3, 9, 60000];
-  const touched = new Map();
-  for (let step = 0; step <= steps; ++step) {
-    const time = from + ((until - from) * step) / steps;
-    const center = [0, 1, 2].map((axis) =>
-      placeAfter(time - path[6], path[axis], path[3 + axis], kGravity[axis]),
-    );
-    const [low, high] = [-radius, radius].map((side) =>
-      center.map((place, axis) => cells.index(place + side, axis)),
-    );
-    for (let x = low[0]; x <= high[0]; ++x) {
-      for (let y = low[1]; y <= high[1]; ++y) {
-        for (let z = low[2]; z <= high[2]; ++z) {
-          const times = touched.get(`${x} ${y} ${z}`) ?? [];
-          touched.set(`${x} ${y} ${z}`, times);
-          if (times.length > 0 && step - times.at(-1).last <= 1) times.at(-1).last = step;
-          else times.push({ first: step, last: step });
-        }
-      }
-    }
-  }
-  const length = (until - from) / steps;
-  let visits = 0;
-  cells.visit(path, radius, from, until, (indices, enter, leave) => {
-    ++visits;
-    const begin = Math.max(enter, from);
-    const end = Math.min(leave, until);
-    const times = touched.get(indices.join(' ')) ?? [];
-    const isFound = times.some(
-      ({ first, last }) =>
-        Math.abs(from + first * length - begin) <= 2 * length &&
-        Math.abs(from + last * length - end) <= 2 * length,
-    );
-    assert.ok(isFound || end - begin <= 2 * length, `${indices} from ${begin} to ${end}`);
-  });
-  assert.equal(
-    visits,
-    [...touched.values()].reduce((sum, times) => sum + times.length, 0),
-  );
-  assert.ok(
-    [...touched.values()].some((times) => times.length === 2),
-    'a cell is entered again on the way down',
-  );
 });
 
 test('the next crossing under gravity is the first at which the cells touched change', () => {

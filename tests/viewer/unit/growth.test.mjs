@@ -15,16 +15,7 @@ const kNothing = [0, 0, 0, 0, 0, 0];
 
 // A sphere of radius .5 grows at .1 from time -1 on, at .25 from time 2 on, and from time 4 on not at all.
 const kBytes = writeRecording(
-  {
-    spheres: 1,
-    box: { size: [10, 10, 10], boundary: ['wall', 'wall', 'wall'] },
-    begin: 0,
-    until: 8,
-    cell_edge: [0, 0, 0],
-    cell_origin: [0, 0, 0],
-    name: 'growth',
-    restitution: 1,
-  },
+  { box: { size: [10, 10, 10], boundary: ['wall', 'wall', 'wall'] } },
   [0.5],
   [1],
   [

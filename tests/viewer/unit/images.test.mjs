@@ -17,45 +17,53 @@ function playbackOf({ positions, velocities }, time) {
   };
 }
 
-function list(images) {
-  return Array.from({ length: images.count }, (_, k) => {
-    const place = [...images.centers.subarray(3 * k, 3 * k + 3)].map((part) => part.toFixed(9));
-    return `${images.ids[k]}: ${place}`;
-  });
-}
+const kSize = [6, 5, 7];
+const kPeriodic = ['periodic', 'periodic', 'periodic'];
+const kShear = { shear_rate: 0.3, shear_offset: 1 };
 
-for (const boundary of [
-  ['periodic', 'periodic', 'periodic'],
-  ['periodic', 'wall', 'periodic'],
-  ['wall', 'open', 'wall'],
+// By shear, the images of images lie up to forty boxes away along x.
+for (const { name, box, reach, digits } of [
+  { name: 'periodic', box: new Box({ size: kSize, boundary: kPeriodic }, [0, 0, -1]), reach: 1, digits: 9 },
+  {
+    name: 'periodic but for walls',
+    box: new Box({ size: kSize, boundary: ['periodic', 'wall', 'periodic'] }, [0, 0, -1]),
+    reach: 1,
+    digits: 9,
+  },
+  { name: 'bounded', box: new Box({ size: kSize, boundary: ['wall', 'open', 'wall'] }, [0, 0, -1]), reach: 1, digits: 9 },
+  { name: 'sheared', box: new Box({ size: kSize, boundary: kPeriodic, ...kShear }), reach: 40, digits: 7 },
 ]) {
-  test(`the images in a box that is ${boundary} are those that reach into it`, () => {
-    const box = new Box({ size: [6, 5, 7], boundary }, [0, 0, -1]);
+  test(`the images in a box that is ${name} are those that reach into it`, () => {
     const spheres = randomSpheres(125, 6);
     const images = new Images(spheres.radii, box);
+    const text = (id, place) => `${id}: ${[...place].map((part) => part.toFixed(digits))}`;
     for (const time of [0, 1.5, 40]) {
       const playback = playbackOf(spheres, time);
       images.update(playback);
       const expected = [];
       for (let id = 0; id < 125; ++id) {
         const center = readCenter(playback.paths, 7 * id, time, box, []);
-        for (let n = 0; n < 27; ++n) {
-          const steps = [Math.floor(n / 9) - 1, (Math.floor(n / 3) % 3) - 1, (n % 3) - 1];
+        for (let n = 0; n < 9 * (2 * reach + 1); ++n) {
+          const steps = [Math.floor(n / 9) - reach, (Math.floor(n / 3) % 3) - 1, (n % 3) - 1];
           if (steps.every((step) => step === 0)) continue;
           if (steps.some((step, axis) => step !== 0 && box.period[axis] === 0)) continue;
           const image = center.map((place, axis) => place + steps[axis] * box.period[axis]);
+          if (name === 'sheared') image[0] += steps[1] * box.displacement(time);
           const reaches = image.every(
             (place, axis) =>
-              steps[axis] === 0 ||
+              (steps[axis] === 0 && name !== 'sheared') ||
               (place + spheres.radii[id] > 0 && place - spheres.radii[id] < box.size[axis]),
           );
-          if (reaches) expected.push(`${id}: ${image.map((part) => part.toFixed(9))}`);
+          if (reaches) expected.push(text(id, image));
         }
       }
-      assert.deepEqual(list(images).sort(), expected.sort());
+      const list = Array.from({ length: images.count }, (_, k) =>
+        text(images.ids[k], images.centers.subarray(3 * k, 3 * k + 3)),
+      );
+      assert.deepEqual(list.sort(), expected.sort());
       if (time > 0)
         assert.equal(
-          images.count > 0,
+          images.count > 10,
           box.period.some((period) => period > 0),
         );
     }

@@ -5,12 +5,9 @@ import test from 'node:test';
 import { emphasis, velocityChanges } from '../../../apps/viewer/page/src/motion/impacts.js';
 import { scaleOf } from '../../../apps/viewer/page/src/panel/scale_bar.js';
 import { recordLoneSpheres } from '../support/lone_spheres.mjs';
+import { assertNear } from '../support/near.mjs';
 import { randomSpheres, recordSmallGas } from '../support/small_gas.mjs';
 import { StoredSource } from '../support/stored_source.mjs';
-
-function assertNear(value, expected, tolerance) {
-  assert.ok(Math.abs(value - expected) <= tolerance, `${value} is not ${expected}`);
-}
 
 test('a ball that bounces off a floor changes its velocity by ever less', () => {
   const floor = { shape: 'plane', point: [0, 0, 0], direction: [0, 0, 1], restitution: 0.5 };

@@ -13,12 +13,9 @@ import {
   quantile,
   roundUp,
 } from '../../../apps/viewer/page/src/statistics/speeds.js';
+import { assertNear } from '../support/near.mjs';
 import { randomSpheres, recordSmallGas } from '../support/small_gas.mjs';
 import { StoredSource } from '../support/stored_source.mjs';
-
-function assertNear(value, expected, tolerance) {
-  assert.ok(Math.abs(value - expected) <= tolerance, `${value} is not ${expected}`);
-}
 
 test('intervals of a chunk contain all its contacts, and the energy that collisions conserve', () => {
   const box = { size: [5, 5, 5], boundary: ['wall', 'wall', 'wall'] };
@@ -42,40 +39,25 @@ test('intervals of a chunk contain all its contacts, and the energy that collisi
   for (const { energy } of intervals) assertNear(energy, intervals[0].energy, 1e-9);
 });
 
-test("Maxwell's density has the area one and the mean square of its temperature", () => {
-  const species = [
-    { mass: 1, count: 30 },
-    { mass: 4, count: 10 },
-  ];
-  let area = 0;
-  let squares = 0;
-  for (let k = 0; k < 20000; ++k) {
-    const speed = (k + 0.5) * 1e-3;
-    const share = maxwellDensity(speed, species, 2) * 1e-3;
-    area += share;
-    squares += share * speed ** 2;
-  }
-  assertNear(area, 1, 1e-6);
-  assertNear(squares, (3 * 2 * (30 / 1 + 10 / 4)) / 40, 1e-5);
-});
-
-test("Maxwell's density in two dimensions has the area one and the mean square of its temperature", () => {
-  const species = [
-    { mass: 1, count: 30 },
-    { mass: 4, count: 10 },
-    { mass: Infinity, count: 5 },
-  ];
-  let area = 0;
-  let squares = 0;
-  for (let k = 0; k < 20000; ++k) {
-    const speed = (k + 0.5) * 1e-3;
-    const share = maxwellDensity(speed, species, 2, 2) * 1e-3;
-    area += share;
-    squares += share * speed ** 2;
-  }
-  assertNear(area, 1, 1e-6);
-  assertNear(squares, (2 * 2 * (30 / 1 + 10 / 4)) / 40, 1e-5);
-});
+for (const dimensions of [3, 2]) {
+  test(`Maxwell's density in ${dimensions} dimensions has the area one and the mean square of its temperature`, () => {
+    const species = [
+      { mass: 1, count: 30 },
+      { mass: 4, count: 10 },
+      { mass: Infinity, count: 5 },
+    ];
+    let area = 0;
+    let squares = 0;
+    for (let k = 0; k < 20000; ++k) {
+      const speed = (k + 0.5) * 1e-3;
+      const share = maxwellDensity(speed, species, 2, dimensions) * 1e-3;
+      area += share;
+      squares += share * speed ** 2;
+    }
+    assertNear(area, 1, 1e-6);
+    assertNear(squares, (dimensions * 2 * (30 / 1 + 10 / 4)) / 40, 1e-5);
+  });
+}
 
 test('a density sums to the share of values below its end', () => {
   const shares = density([0.1, 0.2, 1.5, 2.5], 2, 4);

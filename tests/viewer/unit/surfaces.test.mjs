@@ -8,6 +8,7 @@ import { partnerName, readSurfaces } from '../../../apps/viewer/page/src/motion/
 import { readRecording } from '../../../apps/viewer/page/src/recording/recording_file.js';
 import { planePatch, rangeAlong, tangents } from '../../../apps/viewer/page/src/scene/plane_patch.js';
 import { recordLoneSpheres } from '../support/lone_spheres.mjs';
+import { assertNear } from '../support/near.mjs';
 
 const kOpen = { size: [0, 0, 0], boundary: ['open', 'open', 'open'] };
 const kSurfaces = [
@@ -16,10 +17,6 @@ const kSurfaces = [
   { shape: 'sphere', point: [1, 1, 1], radius: 4, temperature: 2 },
   { shape: 'obstacle', point: [2, 1, 1], radius: 0.5, restitution: 0.9 },
 ];
-
-function assertNear(value, expected, tolerance) {
-  assert.ok(Math.abs(value - expected) <= tolerance, `${value} is not ${expected}`);
-}
 
 function assertPlace(place, expected) {
   place.forEach((coordinate, axis) => assertNear(coordinate, expected[axis], 1e-12));
