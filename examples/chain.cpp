@@ -6,8 +6,6 @@
 #include <cstdio>
 
 #include "hardball/hardball.hpp"
-#include "hardball/world/step_levels.hpp"
-#include "hardball/world/totals.hpp"
 
 int main() {
   hardball::World world(hardball::Box::walls({12, 12, 12}));

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "hardball/hardball.hpp"
-#include "hardball/world/totals.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/begin_recording.hpp"
 
-#include "hardball/recording/recording_header.hpp"
+#include "hardball/recording.hpp"
 
 namespace hardball::cli {
 

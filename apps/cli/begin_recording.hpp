@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "hardball/recording/recording_writer.hpp"
-#include "hardball/scenario/scenario.hpp"
-#include "hardball/simulation/simulation.hpp"
+#include "hardball/recording.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
 
 namespace hardball::cli {
 

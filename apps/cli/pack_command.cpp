@@ -24,12 +24,11 @@
 #include "apps/cli/version.hpp"
 #include "apps/cli/written.hpp"
 #include "apps/report/packing_report.hpp"
-#include "hardball/errors/error.hpp"
-#include "hardball/io/checkpoint_file.hpp"
+#include "hardball/checkpoint.hpp"
+#include "hardball/error.hpp"
 #include "hardball/io/replace_file.hpp"
-#include "hardball/packing/packing.hpp"
-#include "hardball/trajectory/snapshot_format.hpp"
-#include "hardball/trajectory/trajectory.hpp"
+#include "hardball/packing.hpp"
+#include "hardball/trajectory.hpp"
 #if HARDBALL_POLISH
 #include "apps/polish/polish.hpp"
 #endif

@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 #include "hardball/io/open_output.hpp"
 
 namespace hardball::cli {

@@ -12,7 +12,7 @@
 #include "apps/cli/written.hpp"
 #include "apps/viewer/built_page.hpp"
 #include "apps/viewer/replay.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 

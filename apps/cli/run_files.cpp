@@ -9,10 +9,10 @@
 
 #include "apps/cli/begin_recording.hpp"
 #include "apps/cli/directory.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 #include "hardball/io/open_output.hpp"
 #include "hardball/io/replace_file.hpp"
-#include "hardball/measure/csv.hpp"
+#include "hardball/measures.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -13,14 +13,13 @@
 #include <vector>
 
 #include "apps/cli/directory_lock.hpp"
-#include "hardball/interaction/contact.hpp"
-#include "hardball/measure/measurement.hpp"
-#include "hardball/recording/npy_event_log.hpp"
-#include "hardball/recording/recording_writer.hpp"
-#include "hardball/run/observer.hpp"
-#include "hardball/scenario/scenario.hpp"
-#include "hardball/simulation/simulation.hpp"
-#include "hardball/trajectory/trajectory.hpp"
+#include "hardball/contact.hpp"
+#include "hardball/event_log.hpp"
+#include "hardball/measures.hpp"
+#include "hardball/recording.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
+#include "hardball/trajectory.hpp"
 
 namespace hardball::cli {
 

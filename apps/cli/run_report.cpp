@@ -14,17 +14,11 @@
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "hardball/measure/units.hpp"
-#include "hardball/theory/fluid_theory.hpp"
-#include "hardball/theory/gas_statistics.hpp"
-#include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/no_number.hpp"
-#include "hardball/theory/species_list.hpp"
-#include "hardball/theory/thermal_motion.hpp"
+#include "hardball/theory.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
-#include "hardball/world/totals.hpp"
-#include "hardball/world/walls.hpp"
+#include "hardball/world.hpp"
 
 namespace hardball::cli {
 namespace {

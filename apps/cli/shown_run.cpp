@@ -11,7 +11,7 @@
 #include "apps/cli/temporary_file.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/viewer/recorded_progress.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 

@@ -14,11 +14,9 @@
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/version.hpp"
-#include "hardball/measure/event_log_hash.hpp"
-#include "hardball/theory/no_number.hpp"
-#include "hardball/world/audit.hpp"
-#include "hardball/world/step_levels.hpp"
-#include "hardball/world/walls.hpp"
+#include "hardball/simulation.hpp"
+#include "hardball/theory.hpp"
+#include "hardball/world.hpp"
 
 namespace hardball::cli {
 namespace {

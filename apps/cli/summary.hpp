@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "apps/cli/wall_summary.hpp"
-#include "hardball/scenario/scenario.hpp"
-#include "hardball/simulation/simulation.hpp"
-#include "hardball/world/audit.hpp"
-#include "hardball/world/totals.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
+#include "hardball/world.hpp"
 
 namespace hardball::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hardball/simulation/simulation.hpp"
+#include "hardball/simulation.hpp"
 
 namespace hardball::cli {
 
