@@ -248,9 +248,9 @@ ExitCode carry_out(StartedRun& run) {
   Simulation& simulation = run.simulation;
   Course course(run);
   const bool is_complete = course.complete();
-  FinalState state = final_state(run.scenario, simulation);
-  state.at_rest_since = course.at_rest_since();
-  const Summary summary(run.scenario, run.choice.overrides, state, run.seconds, run.notes);
+  Summary summary{run.scenario, run.choice.overrides, final_state(run.scenario, simulation), run.seconds,
+                  run.notes};
+  summary.state.at_rest_since = course.at_rest_since();
   const std::string json = summary.json();
   std::vector<Measurement> measurements;
   std::string html;
