@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "apps/chart/chart.hpp"
-#include "apps/chart/escaped.hpp"
 #include "apps/report/measurement_charts.hpp"
 #include "apps/report/number_text.hpp"
 #include "apps/report/page.hpp"
+#include "hardball/io/xml_text.hpp"
 #include "hardball/measure/bond_order.hpp"
 #include "hardball/measure/density_profiles.hpp"
 #include "hardball/measure/nearest_neighbor.hpp"
@@ -27,14 +27,13 @@ namespace hardball::report {
 namespace {
 
 using chart::Chart;
-using chart::escaped;
 using chart::Series;
 
 std::string summary(const Packing& packing) {
   Table facts("facts", "");
   const auto add = [&](std::string_view name, const std::string& value) { facts.add_row(name, {value}); };
   const ContactNetwork& network = packing.network;
-  add("status", escaped(std::string(name_of(packing.status)) + ": " + packing.reason));
+  add("status", xml_escaped(std::string(name_of(packing.status)) + ": " + packing.reason));
   add("spheres", count_text(packing.spheres.size()));
   add("mean diameter", typeset(number_text(packing.spheres.mean_diameter(), 9)));
   add("packing fraction", typeset(number_text(packing.packing_fraction(), 9)));
@@ -52,7 +51,7 @@ std::string summary(const Packing& packing) {
   add("growth rate", typeset(number_text(packing.rate, 4)));
   add("collisions", count_text(packing.collisions));
   std::string html = facts.html();
-  for (const std::string& warning : packing.warnings) html += paragraph("note", escaped(warning));
+  for (const std::string& warning : packing.warnings) html += paragraph("note", xml_escaped(warning));
   return html;
 }
 
@@ -182,8 +181,8 @@ std::string to_html(const Packing& packing, const std::string& name, const std::
   sections += section("structure", "Structure",
                       structure<RadialDistribution>(scene) + from_the_wall(packing.spheres) +
                           structure<DensityProfiles>(scene) + structure<BondOrder>(scene));
-  return fill(without_license(packing_report_html()), {{"name", escaped(name)},
-                                                       {"program", escaped(program)},
+  return fill(without_license(packing_report_html()), {{"name", xml_escaped(name)},
+                                                       {"program", xml_escaped(program)},
                                                        {"style", std::string(without_license(report_css()))},
                                                        {"summary", summary(packing)},
                                                        {"sections", sections}});

@@ -6,18 +6,16 @@
 
 #include <array>
 
-#include "apps/chart/escaped.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/io/xml_text.hpp"
 
 namespace hardball::report {
-
-using chart::escaped;
 
 std::string typeset(std::string_view text) {
   constexpr std::array<std::string_view, 11> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵",
                                                         "⁶", "⁷", "⁸", "⁹", "⁻"};
   constexpr std::array<std::string_view, 11> kPlain = {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "−"};
-  std::string html = escaped(text);
+  std::string html = xml_escaped(text);
   for (std::size_t i = 0; i < kRaised.size(); ++i) {
     const std::string set = fmt::format("<sup>{}</sup>", kPlain[i]);
     for (std::size_t at = html.find(kRaised[i]); at != std::string::npos; at = html.find(kRaised[i], at)) {
@@ -37,7 +35,7 @@ std::string paragraph(std::string_view css_class, std::string_view html) {
 
 std::string section(std::string_view id, std::string_view heading, std::string_view html) {
   return fmt::format("<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}</h2>\n{2}</section>\n", id,
-                     escaped(heading), html);
+                     xml_escaped(heading), html);
 }
 
 std::string figure(std::string_view svg_html) {
@@ -45,8 +43,8 @@ std::string figure(std::string_view svg_html) {
 }
 
 Table::Table(std::string_view css_class, std::string_view caption, const std::vector<std::string>& heads)
-    : css_class_(css_class), caption_(escaped(caption)) {
-  for (const std::string& head : heads) head_ += fmt::format("<th scope=\"col\">{}</th>", escaped(head));
+    : css_class_(css_class), caption_(xml_escaped(caption)) {
+  for (const std::string& head : heads) head_ += fmt::format("<th scope=\"col\">{}</th>", xml_escaped(head));
 }
 
 void Table::add_row(std::string_view name_html, const std::vector<std::string>& cells_html) {
