@@ -69,21 +69,12 @@ class RepeatedText {
   std::string text_;
 };
 
-}  // namespace
-
-void append_extended_xyz(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append) {
-  const SphereTypes types(snapshot.spheres);
-  append_extended_xyz_head(snapshot, snapshot.spheres.size(), types, frame, append);
-  append_extended_xyz_spheres(snapshot, types, append);
-}
-
-void append_extended_xyz_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
-                              std::uint64_t /*frame*/, const AppendText& append) {
+void append_xyz_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
+                     std::uint64_t /*frame*/, const AppendText& append) {
   append(to_text(spheres) + "\n" + comment_line(head, types));
 }
 
-void append_extended_xyz_spheres(const Snapshot& snapshot, const SphereTypes& types,
-                                 const AppendText& append) {
+void append_xyz_spheres(const Snapshot& snapshot, const SphereTypes& types, const AppendText& append) {
   const bool has_species = types.are_finer_than_species();
   std::string line;
   RepeatedText radius;
@@ -117,6 +108,12 @@ void append_extended_xyz_spheres(const Snapshot& snapshot, const SphereTypes& ty
     line.back() = '\n';
     append(line);
   }
+}
+
+}  // namespace
+
+TextFrame extended_xyz_frame() {
+  return {append_xyz_head, append_xyz_spheres};
 }
 
 }  // namespace hardball

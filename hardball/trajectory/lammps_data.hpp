@@ -14,7 +14,7 @@ namespace hardball {
 /// Ids count from one. LAMMPS computes masses from densities, of discs too as those of spheres; kinematic
 /// spheres have the mass kLargestMagnitude. The file does not say along which axes the box is periodic.
 /// Source: https://docs.lammps.org/read_data.html
-void append_lammps_data(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
+TextFrame lammps_data_frame();
 
 /// LAMMPS data files of atom style sphere. The box counts as periodic along all axes, which is LAMMPS's
 /// default. Without Velocities, spheres have none. Where Atoms names no style, lines of 7 or 10 values, in a

@@ -8,16 +8,10 @@
 
 namespace hardball {
 
-/// Appends a frame of a LAMMPS dump: `id type x y z ix iy iz vx vy vz radius mass` and, where spheres spin,
+/// Writes a LAMMPS dump: `id type x y z ix iy iz vx vy vz radius mass` and, where spheres spin,
 /// `omegax omegay omegaz moment`; where types are finer than species, `species_id`. The time step is the
 /// number of the frame: the readers that users have understand no time.
-void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
-void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
-                             std::uint64_t frame, const AppendText& append);
-void append_lammps_dump_spheres(const Snapshot& part, const SphereTypes& types, const AppendText& append);
-
-inline constexpr TextFrame kLammpsDump{append_lammps_dump, append_lammps_dump_head,
-                                       append_lammps_dump_spheres};
+TextFrame lammps_dump_frame();
 
 /// LAMMPS dumps in text, also those with ITEM: TIME, and those of LIGGGHTS. Required are a position for each
 /// axis, `x`, `xu` (not folded), `xs` (scaled by the box) or `xsu` (both), of several the first of these, and

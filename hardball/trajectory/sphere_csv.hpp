@@ -10,7 +10,7 @@ namespace hardball {
 
 /// Writes a table of comma-separated values (CSV), with a line for each sphere under the names of the columns
 /// (see SphereColumns).
-void append_csv(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
+TextFrame csv_frame();
 
 /// Tables of numbers under the names of columns (see known_columns), separated by commas, semicolons, tabs or
 /// blanks. Lines that begin with # are ignored, unless the table has no other names: then the last such line

@@ -26,21 +26,21 @@ std::unique_ptr<FrameWriter> make_writer(const std::filesystem::path& path, Snap
   switch (format) {
     case SnapshotFormat::extended_xyz:
     case SnapshotFormat::extended_xyz_zst:
-      return text(kExtendedXyz);
+      return text(extended_xyz_frame());
     case SnapshotFormat::gsd:
       return std::make_unique<GsdTrajectory>(path, position);
     case SnapshotFormat::lammps:
-      return text(kLammpsDump);
+      return text(lammps_dump_frame());
     case SnapshotFormat::vtp:
       return std::make_unique<VtpTrajectory>(path, position);
     case SnapshotFormat::csv:
-      return text({.whole = append_csv});
+      return text(csv_frame());
     case SnapshotFormat::npy:
-      return text({.whole = append_npy});
+      return text(npy_frame());
     case SnapshotFormat::sph:
-      return text({.whole = append_sph});
+      return text(sph_frame());
     case SnapshotFormat::lammps_data:
-      return text({.whole = append_lammps_data});
+      return text(lammps_data_frame());
   }
   return nullptr;
 }

@@ -21,7 +21,8 @@ namespace {
 
 std::string frame_of(const World& world, double time) {
   std::string text;
-  append_extended_xyz(snapshot_of(world, Time(time)), 0, [&](std::string_view more) { text += more; });
+  append_text_frame(extended_xyz_frame(), snapshot_of(world, Time(time)), 0,
+                    [&](std::string_view more) { text += more; });
   return text;
 }
 
@@ -80,7 +81,7 @@ TEST(AppendSnapshot, WritesAWorldWithoutSpheres) {
 
 TEST(AppendSnapshot, CutsAnIncompleteFrameOff) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
-  TextTrajectory file("/dev/full", kExtendedXyz, false);
+  TextTrajectory file("/dev/full", extended_xyz_frame(), false);
   EXPECT_THROW(file.append(snapshot_of(World(), Time(0)), 0), RunFailure);
 }
 
