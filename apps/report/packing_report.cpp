@@ -21,7 +21,6 @@
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/packing/wall_profile.hpp"
-#include "hardball_report_files.hpp"
 
 namespace hardball::report {
 namespace {
@@ -181,11 +180,14 @@ std::string to_html(const Packing& packing, const std::string& name, const std::
   sections += section("structure", "Structure",
                       structure<RadialDistribution>(scene) + from_the_wall(packing.spheres) +
                           structure<DensityProfiles>(scene) + structure<BondOrder>(scene));
-  return fill(without_license(packing_report_html()), {{"name", xml_escaped(name)},
-                                                       {"program", xml_escaped(program)},
-                                                       {"style", std::string(without_license(report_css()))},
-                                                       {"summary", summary(packing)},
-                                                       {"sections", sections}});
+  const std::string its_summary = summary(packing);
+  return Page{.kind = "packing",
+              .name = name,
+              .program = program,
+              .summary_html = its_summary,
+              .sections_html = sections,
+              .units_html = "Forces are in units of their mean, lengths in the unit of the request."}
+      .html();
 }
 
 }  // namespace hardball::report

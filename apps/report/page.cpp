@@ -8,8 +8,17 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/xml_text.hpp"
+#include "hardball_report_files.hpp"
 
 namespace hardball::report {
+namespace {
+
+// An embedded file without the lines of its license, which end at the first empty one.
+std::string_view without_license(std::string_view file) {
+  return file.substr(file.find("\n\n") + 2);
+}
+
+}  // namespace
 
 std::string typeset(std::string_view text) {
   constexpr std::array<std::string_view, 11> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵",
@@ -76,8 +85,20 @@ std::string fill(std::string_view skeleton, const std::map<std::string, std::str
   }
 }
 
-std::string_view without_license(std::string_view file) {
-  return file.substr(file.find("\n\n") + 2);
+std::string Page::html() const {
+  const std::string list(contents_html);
+  return fill(
+      without_license(report_html()),
+      {{"kind", std::string(kind)},
+       {"name", xml_escaped(name)},
+       {"program", xml_escaped(program)},
+       {"date", date.empty() ? "" : ", " + xml_escaped(date)},
+       {"style", std::string(without_license(report_css()))},
+       {"description", description.empty() ? "" : paragraph("lead", xml_escaped(description))},
+       {"summary", std::string(summary_html)},
+       {"contents", list.empty() ? "" : "<nav aria-label=\"Contents\">\n<ul>\n" + list + "</ul>\n</nav>\n"},
+       {"sections", std::string(sections_html)},
+       {"units", std::string(units_html)}});
 }
 
 }  // namespace hardball::report

@@ -19,7 +19,6 @@
 #include "hardball/measure/agreement.hpp"
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/world/audit.hpp"
-#include "hardball_report_files.hpp"
 
 namespace hardball::report {
 namespace {
@@ -32,6 +31,10 @@ constexpr std::size_t kMaxScenarioBytes = 20'000;
 
 std::string in_unit(const std::string& number, std::string_view unit) {
   return fmt::format("{} <span class=\"unit\">{}</span>", typeset(number), typeset(unit_text(unit)));
+}
+
+std::string energy_text(double energy) {
+  return in_unit(number_text(energy, 10), "M L^2 T^-2");
 }
 
 std::string code(std::string_view text) {
@@ -251,30 +254,28 @@ std::string species_text(const SpeciesReport& species) {
 
 std::string certificate(const Report& report) {
   Table conserved("facts", "State");
-  conserved.add_row("energy at the start", {in_unit(number_text(report.initial_energy, 10), "M L^2 T^-2")});
-  conserved.add_row("energy at the end", {in_unit(number_text(report.final_energy, 10), "M L^2 T^-2")});
+  conserved.add_row("energy at the start", {energy_text(report.initial_energy)});
+  conserved.add_row("energy at the end", {energy_text(report.final_energy)});
   if (std::isfinite(report.rotational_energy)) {
-    conserved.add_row("rotational part", {in_unit(number_text(report.rotational_energy, 10), "M L^2 T^-2")});
+    conserved.add_row("rotational part", {energy_text(report.rotational_energy)});
   }
   conserved.add_row("relative change", {typeset(number_text(energy_change(report), 2))});
   if (!report.surfaces.empty()) {
-    conserved.add_row("work of the surfaces",
-                      {in_unit(number_text(work_of_surfaces(report), 10), "M L^2 T^-2")});
+    conserved.add_row("work of the surfaces", {energy_text(work_of_surfaces(report))});
   }
   if (report.thermostat) {
-    conserved.add_row("given by the thermostat",
-                      {in_unit(number_text(report.thermostat->energy, 10), "M L^2 T^-2")});
+    conserved.add_row("given by the thermostat", {energy_text(report.thermostat->energy)});
   }
   if (report.growth) {
     const GrowthReport& growth = *report.growth;
     conserved.add_row("growth", {fmt::format("{}, {} epochs, the last with PV/NkT = {}", growth.state,
                                              growth.epochs, number_text(growth.compressibility, 4))});
-    conserved.add_row("work of growth", {in_unit(number_text(growth.work, 10), "M L^2 T^-2")});
-    conserved.add_row("given by halving velocities", {in_unit(number_text(growth.energy, 10), "M L^2 T^-2")});
+    conserved.add_row("work of growth", {energy_text(growth.work)});
+    conserved.add_row("given by halving velocities", {energy_text(growth.energy)});
   }
   if (report.shear) {
     conserved.add_row("rate of the shear", {in_unit(number_text(report.shear->rate, 10), "T^-1")});
-    conserved.add_row("work of the shear", {in_unit(number_text(report.shear->work, 10), "M L^2 T^-2")});
+    conserved.add_row("work of the shear", {energy_text(report.shear->work)});
   }
   if ((!report.surfaces.empty() || report.thermostat || report.growth) && is_elastic(report)) {
     conserved.add_row("change beyond it", {typeset(number_text(energy_drift(report), 2))});
@@ -582,15 +583,20 @@ std::string to_html(const Report& report) {
   add("speed", "Speed and memory", speed(report));
   add("scenario", "Scenario", scenario(report));
   const std::string description = description_of(report.scenario);
-  return fill(without_license(report_html()),
-              {{"name", xml_escaped(report.name)},
-               {"program", xml_escaped(report.program)},
-               {"date", report.date.empty() ? "" : ", " + xml_escaped(report.date)},
-               {"style", std::string(without_license(report_css()))},
-               {"description", description.empty() ? "" : paragraph("lead", xml_escaped(description))},
-               {"summary", verdict(report, agreement) + key_figures(report)},
-               {"contents", contents},
-               {"sections", sections}});
+  const std::string summary = verdict(report, agreement) + key_figures(report);
+  return Page{.kind = "run",
+              .name = report.name,
+              .program = report.program,
+              .date = report.date,
+              .description = description,
+              .summary_html = summary,
+              .contents_html = contents,
+              .sections_html = sections,
+              .units_html =
+                  "Units: <abbr title=\"the unit of length of the scenario\">L</abbr>, <abbr title=\"the "
+                  "unit of time of the scenario\">T</abbr> and <abbr title=\"the unit of mass of the "
+                  "scenario\">M</abbr> are the scenario’s own units of length, time and mass."}
+      .html();
 }
 
 }  // namespace hardball::report
