@@ -31,13 +31,13 @@ struct Column {
 
 // Columns for the numbers of a field, which may be those of a vector.
 void add_columns(const NpyField& field, std::vector<Column>& columns) {
-  static const std::map<std::string_view, std::array<std::string_view, kAxes>> kVectors{
+  static const std::map<std::string_view, std::array<std::string_view, kAxes>> kFields{
       {"position", {"x", "y", "z"}},
       {"velocity", {"vx", "vy", "vz"}},
       {"angular_velocity", {"omegax", "omegay", "omegaz"}},
       {"image", {"ix", "iy", "iz"}}};
-  const auto vector = kVectors.find(field.name);
-  if (vector != kVectors.end() && field.count == kAxes) {
+  const auto vector = kFields.find(field.name);
+  if (vector != kFields.end() && field.count == kAxes) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       columns.push_back({vector->second[axis], field.kind, field.bytes, field.offset + axis * field.bytes});
     }
