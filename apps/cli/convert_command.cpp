@@ -5,8 +5,8 @@
 #include <string>
 
 #include "apps/cli/commands.hpp"
+#include "apps/cli/output_paths.hpp"
 #include "apps/cli/parse_number.hpp"
-#include "apps/cli/refuse_to_overwrite.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/written.hpp"
 #include "hardball/error.hpp"

@@ -12,12 +12,12 @@
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/output_paths.hpp"
 #include "apps/cli/packing_cost.hpp"
 #include "apps/cli/packing_replay.hpp"
 #include "apps/cli/packing_summary.hpp"
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
-#include "apps/cli/refuse_to_overwrite.hpp"
 #include "apps/cli/seconds_since.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"

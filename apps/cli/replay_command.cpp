@@ -6,7 +6,7 @@
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
-#include "apps/cli/refuse_to_overwrite.hpp"
+#include "apps/cli/output_paths.hpp"
 #include "apps/cli/shown_run.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/written.hpp"

@@ -42,6 +42,10 @@ bool is_finished(const std::filesystem::path& directory);
 /// trajectories, event log and recording.
 std::vector<std::filesystem::path> files_of_run(const std::filesystem::path& directory);
 
+/// Starts recording a scenario's simulation, which is at its start. Error: the file cannot be written.
+RecordingWriter begin_recording(const std::filesystem::path& path, const Scenario& scenario,
+                                const Simulation& simulation);
+
 /// How much of the files of a run belongs to a checkpoint.
 struct FilesState {
   /// By the name of the file.

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "apps/cli/begin_recording.hpp"
+#include "apps/cli/run_files.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/temporary_file.hpp"
 #include "apps/cli/terminal.hpp"

@@ -14,6 +14,7 @@
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/version.hpp"
+#include "hardball/measure/wall_forces.hpp"
 #include "hardball/simulation.hpp"
 #include "hardball/theory.hpp"
 #include "hardball/world.hpp"
@@ -26,6 +27,23 @@ long measure_peak_rss() {
   getrusage(RUSAGE_SELF, &usage);
   constexpr long kBytesPerUnit = 1024;  // Linux counts kilobytes
   return usage.ru_maxrss * kBytesPerUnit;
+}
+
+// Summaries of measured_walls from the tally at `now`. The world may be without spheres.
+std::vector<WallSummary> summarize_walls(const World& world, const Tally& tally, const Time& now) {
+  std::vector<WallSummary> walls;
+  const double elapsed = tally.elapsed(now);
+  for (const std::uint32_t wall : measured_walls(world)) {
+    WallSummary summary;
+    summary.name = wall_name(world, wall);
+    summary.shape = wall < kFaces ? "face" : std::string(world.surface(wall).name());
+    summary.tally = tally.wall(wall);
+    summary.area = wall_area(world, wall);
+    summary.force = summary.tally.normal_impulse / elapsed;
+    summary.pressure = std::isfinite(summary.area) ? summary.force / summary.area : kNoNumber;
+    walls.push_back(summary);
+  }
+  return walls;
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "apps/cli/wall_summary.hpp"
 #include "hardball/scenario.hpp"
 #include "hardball/simulation.hpp"
 #include "hardball/world.hpp"
@@ -19,6 +18,16 @@ struct Seconds {
   double run = 0;
 
   static void persist(auto& archive, auto& self) { archive(self.setup, self.run); }
+};
+
+/// What spheres did at one wall, and it to them, over a run; NaN where it does not apply.
+struct WallSummary {
+  std::string name;   ///< As wall_name says.
+  std::string shape;  ///< "face", "plane", "cylinder", "sphere" or "obstacle".
+  WallTally tally;
+  double area = 0;      ///< [L^2]
+  double force = 0;     ///< Mean along the normal [M L T^-2].
+  double pressure = 0;  ///< [M L^-1 T^-2]
 };
 
 /// What a simulation has come to.

@@ -12,8 +12,8 @@
 
 #include "apps/chart/chart.hpp"
 #include "apps/cli/commands.hpp"
-#include "apps/cli/directory.hpp"
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/output_paths.hpp"
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
 #include "apps/cli/start.hpp"
