@@ -7,7 +7,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/zstd.hpp"
-#include "hardball/trajectory/extended_xyz_reader.hpp"
+#include "hardball/trajectory/extended_xyz.hpp"
 #include "hardball/trajectory/gsd_reader.hpp"
 #include "hardball/trajectory/lammps_data.hpp"
 #include "hardball/trajectory/lammps_dump.hpp"

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/trajectory/extended_xyz_writer.hpp"
+#include "hardball/trajectory/extended_xyz.hpp"
 #include "hardball/trajectory/gsd_trajectory.hpp"
 #include "hardball/trajectory/lammps_data.hpp"
 #include "hardball/trajectory/lammps_dump.hpp"

@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/trajectory/extended_xyz_reader.hpp"
-#include "hardball/trajectory/extended_xyz_writer.hpp"
+#include "hardball/trajectory/extended_xyz.hpp"
 
 namespace hardball::extended_xyz_test {
 namespace {
