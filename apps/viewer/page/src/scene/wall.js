@@ -22,9 +22,9 @@ const kLinesAround = 24; // of a cylinder or sphere
 const kLinesAcross = 12; // of the box
 const kTicks = 3; // along each direction of a plane
 
-// A material for walls; `shared` are uniforms of all walls.
-function wallMaterial(tint, shared, strength, nearStrength) {
-  const own = { tint: { value: tint }, strength: { value: strength }, nearStrength: { value: nearStrength } };
+// A material for walls; `shared` are uniforms of all walls, `nearStrength` is that of the part in front of spheres.
+function wallMaterial(tint, shared, nearStrength) {
+  const own = { tint: { value: tint }, nearStrength: { value: nearStrength } };
   return shaderMaterial(kWallVertex, kWallFragment, { ...shared, ...own }, { ...kTranslucent, side: DoubleSide });
 }
 
@@ -63,7 +63,7 @@ function lineThrough(points, tint, Kind) {
 /** A plane within the box: translucent, with a grid, an outline, and ticks to the side of the spheres. */
 export class PlaneWall extends Wall {
   constructor(surface, tint, shared) {
-    const patch = new Mesh(new BufferGeometry(), wallMaterial(tint, shared, 1, 1));
+    const patch = new Mesh(new BufferGeometry(), wallMaterial(tint, shared, 1));
     const lines = new LineSegments(new BufferGeometry(), lineMaterial(tint));
     super(surface, new Group().add(patch, lines));
     this.patch = patch;
@@ -116,7 +116,7 @@ export class PlaneWall extends Wall {
 function wallAround({ direction }, [from, to], tint, shared) {
   const geometry = new CylinderGeometry(to, from, 1, 4 * kLinesAround, 1, true);
   useSpots(geometry, kLinesAround, kLinesAcross);
-  const wall = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
+  const wall = new Mesh(geometry, wallMaterial(tint, shared, 0.3));
   // The geometry's axis is y.
   wall.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...direction));
   return wall;
@@ -172,7 +172,7 @@ export class SphereWall extends Wall {
   constructor(surface, tint, shared) {
     const geometry = new SphereGeometry(1, 4 * kLinesAround, 2 * kLinesAround);
     useSpots(geometry, kLinesAround, kLinesAround / 2);
-    super(surface, new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3)));
+    super(surface, new Mesh(geometry, wallMaterial(tint, shared, 0.3)));
     this.object.scale.setScalar(surface.radius);
   }
 }
