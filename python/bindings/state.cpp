@@ -154,15 +154,16 @@ void bind_numbers(SimulationClass& simulation) {
       "wall_contacts", [](const Simulation& self) { return self.tally().wall_contacts(); },
       "The number of contacts with walls so far.");
   number(
-      "energy", [](const Simulation& self) { return energy(self.world(), self.now()); }, doc::World_energy);
+      "energy", [](const Simulation& self) { return energy(self.world(), self.now()); },
+      "Kinetic, rotational and potential energy of all spheres [M L^2 T^-2]. The potential energy of gravity "
+      "is zero at the origin, and uses unwrapped positions in a periodic box. Cost: O(n).");
   number(
       "kinetic_energy", [](const Simulation& self) { return kinetic_energy(self.world(), self.now()); },
       "Sum of m v^2 / 2 [M L^2 T^-2]; without kinematic spheres. Cost: O(n).");
   number(
       "step_energy", [](const Simulation& self) { return step_energy(self.world()); },
       "The energy of all pairs of spheres that are inside of a step of their potential [M L^2 T^-2]; "
-      "`energy` "
-      "has it, too. Cost: O(n).");
+      "`energy` has it, too. Cost: O(n).");
   number(
       "bonds",
       [](const Simulation& self) {
