@@ -5,13 +5,9 @@
 #include <system_error>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/trajectory/extended_xyz.hpp"
 #include "hardball/trajectory/gsd_trajectory.hpp"
-#include "hardball/trajectory/lammps_data.hpp"
-#include "hardball/trajectory/lammps_dump.hpp"
 #include "hardball/trajectory/npy_snapshot.hpp"
-#include "hardball/trajectory/sph.hpp"
-#include "hardball/trajectory/sphere_csv.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 #include "hardball/trajectory/text_trajectory.hpp"
 #include "hardball/trajectory/vtp_trajectory.hpp"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/trajectory/extended_xyz.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 
 namespace hardball::extended_xyz_test {
 namespace {
