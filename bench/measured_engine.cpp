@@ -7,7 +7,6 @@
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -18,7 +17,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,13 +37,25 @@ constexpr double kRadius = 0.5;
 constexpr std::size_t kMinSpheres = 2;
 constexpr std::size_t kMaxSpheres = 1'000'000'000;
 
-using Names = std::span<const std::string_view>;
+template <class Value>
+struct Named {
+  std::string_view name;
+  Value value;
+};
 
-// In the order of Placement and of Boundary.
-constexpr std::array<std::string_view, 3> kPlacements{"random", "fcc", "hexagonal"};
-constexpr std::array<std::string_view, 2> kBoundaries{"wall", "periodic"};
+constexpr Named<EngineKind> named(EngineKind kind) {
+  return {kEngineNames[static_cast<std::size_t>(kind)], kind};
+}
+constexpr Named<EngineKind> kEngines[] = {named(EngineKind::automatic), named(EngineKind::cells),
+                                          named(EngineKind::neighbors), named(EngineKind::all_pairs),
+                                          named(EngineKind::paper)};
 
-constexpr std::pair<const char*, std::uint64_t Counters::*> kCounters[] = {
+constexpr Named<Placement> kPlacements[] = {
+    {"fcc", Placement::fcc}, {"hexagonal", Placement::hexagonal}, {"random", Placement::random}};
+
+constexpr Named<Boundary> kBoundaries[] = {{"periodic", Boundary::periodic}, {"wall", Boundary::wall}};
+
+constexpr Named<std::uint64_t Counters::*> kCounters[] = {
     {"collision", &Counters::collision},
     {"wall", &Counters::wall},
     {"enter", &Counters::enter},
@@ -58,18 +68,27 @@ constexpr std::pair<const char*, std::uint64_t Counters::*> kCounters[] = {
     {"rebuilds", &Counters::rebuilds},
 };
 
-std::string names_in(Names names) {
+template <class Value, std::size_t size>
+std::string names_in(const Named<Value> (&table)[size]) {
   std::string all;
-  for (const std::string_view name : names) all += (all.empty() ? "" : ", ") + std::string(name);
+  for (const Named<Value>& entry : table) all += (all.empty() ? "" : ", ") + std::string(entry.name);
   return all;
 }
 
-template <class Value>
-Value choose(const std::string& text, Names names, const char* option) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (text == names[i]) return static_cast<Value>(i);
+template <class Value, std::size_t size>
+Value choose(const std::string& text, const Named<Value> (&table)[size], const char* option) {
+  for (const Named<Value>& entry : table) {
+    if (text == entry.name) return entry.value;
   }
-  throw Error("there is no '" + text + "'", option, "choose one of " + names_in(names));
+  throw Error("there is no '" + text + "'", option, "choose one of " + names_in(table));
+}
+
+template <class Value, std::size_t size>
+std::string_view name_of(Value value, const Named<Value> (&table)[size]) {
+  for (const Named<Value>& entry : table) {
+    if (value == entry.value) return entry.name;
+  }
+  return "unknown";
 }
 
 struct Options {
@@ -107,10 +126,10 @@ World make_start(const Options& options) {
     throw Error("the number is " + to_text(options.dimensions), "--dimensions", "give 2 or 3");
   }
   const bool is_flat = options.dimensions == 2;
-  const auto placement = choose<Placement>(options.placement.value_or(is_mixture ? "random"
-                                                                      : is_flat  ? "hexagonal"
-                                                                                 : "fcc"),
-                                           kPlacements, "--placement");
+  const Placement placement = choose(options.placement.value_or(is_mixture ? "random"
+                                                                : is_flat  ? "hexagonal"
+                                                                           : "fcc"),
+                                     kPlacements, "--placement");
   const std::size_t others = is_mixture ? options.spheres / 2 : 0;
   Scenario scenario;
   scenario.seed = options.seed;
@@ -126,7 +145,7 @@ World make_start(const Options& options) {
   add(others, kRadius * options.radius_ratio);
   const double box_volume = volume / options.packing_fraction;
   const double box_edge = is_flat ? std::sqrt(box_volume) : std::cbrt(box_volume);
-  scenario.box.fill({choose<Boundary>(options.boundary, kBoundaries, "--boundary"), box_edge});
+  scenario.box.fill({choose(options.boundary, kBoundaries, "--boundary"), box_edge});
   if (is_flat) scenario.box[2] = {Boundary::flat, std::nullopt};
   return make_world(scenario);
 }
@@ -160,7 +179,7 @@ long peak_rss_bytes() {
 
 Json ready_report(const Simulation& simulation, double setup_seconds) {
   Json json;
-  json["engine"] = kEngineNames[static_cast<std::size_t>(simulation.engine())];
+  json["engine"] = name_of(simulation.engine(), kEngines);
   json["cell_edge"] = simulation.cell_edge() > 0 ? Json(simulation.cell_edge()) : Json(nullptr);
   json["setup_seconds"] = setup_seconds;
   json["bytes_per_sphere"] =
@@ -187,7 +206,7 @@ Json run_slice(Simulation& simulation, std::uint64_t contacts, HardwareCounters&
   json["simulated_time"] = duration(start, simulation.now());
   json["cycles"] = number_or_null(counted.cycles);
   json["instructions"] = number_or_null(counted.instructions);
-  for (const auto& [name, counter] : kCounters) json["counters"][name] = done.*counter;
+  for (const auto& [name, counter] : kCounters) json["counters"][std::string(name)] = done.*counter;
   return json;
 }
 
@@ -232,7 +251,7 @@ void run(const Options& options) {
     throw Error("the number is " + to_text(options.equilibration), "--equilibration", "give zero or more");
   }
   EngineOptions engine_options;
-  engine_options.engine = choose<EngineKind>(options.engine, kEngineNames, "--engine");
+  engine_options.engine = choose(options.engine, kEngines, "--engine");
   engine_options.threads = options.threads;
   engine_options.cell_edge = options.cell_edge;
   World start = make_start(options);
@@ -252,7 +271,7 @@ int parse_and_run(int argument_count, char** arguments) {
   app.add_option("--packing-fraction", options.packing_fraction, "Their volume over the box's")->required();
   app.add_option("--equilibration", options.equilibration, "Collisions per sphere before measuring");
   app.add_option("--seed", options.seed, "Seed of the random numbers");
-  app.add_option("--engine", options.engine, "One of " + names_in(kEngineNames));
+  app.add_option("--engine", options.engine, "One of " + names_in(kEngines));
   app.add_option("--threads", options.threads, "How many threads run them; 0 for as many as pay");
   app.add_option("--cell-edge", options.cell_edge, "Edge of the cells, instead of the best");
   app.add_option("--placement", options.placement, "One of " + names_in(kPlacements));
