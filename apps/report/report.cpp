@@ -319,8 +319,8 @@ std::string certificate(const Report& report) {
 }
 
 // A number and its unit; only a dash if it has no meaning.
-std::string measured_in(double value, double error, std::string_view unit) {
-  return std::isfinite(value) ? in_unit(measured_text(value, error), unit) : number_text(value);
+std::string measured_in(double value, std::string_view unit) {
+  return std::isfinite(value) ? in_unit(number_text(value), unit) : number_text(value);
 }
 
 std::string surface_article(const SurfaceReport& surface, std::size_t number, bool is_flat) {
@@ -329,12 +329,12 @@ std::string surface_article(const SurfaceReport& surface, std::size_t number, bo
   table.add_row("contacts", {count_text(surface.contacts)});
   const std::string area = in_unit(number_text(surface.area), is_flat ? "L" : "L^2");
   table.add_row(is_flat ? "length" : "area", {std::isfinite(surface.area) ? area : "unbounded"});
-  table.add_row("mean force on it", {measured_in(surface.force, surface.force_error, "M L T^-2")});
+  table.add_row("mean force on it", {measured_in(surface.force, "M L T^-2")});
   if (std::isfinite(surface.pressure)) {
     const char* const unit = is_flat ? "M T^-2" : "M L^-1 T^-2";
-    table.add_row("pressure on it", {measured_in(surface.pressure, surface.pressure_error, unit)});
+    table.add_row("pressure on it", {measured_in(surface.pressure, unit)});
   }
-  table.add_row("work done on the spheres", {measured_in(surface.work, std::nan(""), "M L^2 T^-2")});
+  table.add_row("work done on the spheres", {measured_in(surface.work, "M L^2 T^-2")});
   return fmt::format("<article>\n<h3 id=\"surface-{}\">{}</h3>\n", number, xml_escaped(surface.name)) +
          table.html() + "</article>\n";
 }
@@ -343,11 +343,10 @@ std::string surface_article(const SurfaceReport& surface, std::size_t number, bo
 std::string surfaces_table(const std::vector<SurfaceReport>& surfaces) {
   Table table("numbers", "", {"surface", "shape", "contacts", "mean force", "pressure", "work"});
   for (const SurfaceReport& surface : surfaces) {
-    table.add_row(xml_escaped(surface.name),
-                  {xml_escaped(surface.shape), count_text(surface.contacts),
-                   typeset(measured_text(surface.force, surface.force_error)),
-                   typeset(measured_text(surface.pressure, surface.pressure_error)),
-                   typeset(number_text(surface.work))});
+    table.add_row(
+        xml_escaped(surface.name),
+        {xml_escaped(surface.shape), count_text(surface.contacts), typeset(number_text(surface.force)),
+         typeset(number_text(surface.pressure)), typeset(number_text(surface.work))});
   }
   return table.html();
 }
