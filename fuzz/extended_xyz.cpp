@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/trajectory/extended_xyz_reader.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 
 #include "fuzz/snapshots.hpp"
 

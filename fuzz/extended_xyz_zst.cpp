@@ -4,7 +4,7 @@
 
 #include "fuzz/file_of_bytes.hpp"
 #include "fuzz/snapshots.hpp"
-#include "hardball/trajectory/extended_xyz_reader.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 
 void hardball::fuzz::read(std::string_view bytes) {
   const FileOfBytes file(bytes);

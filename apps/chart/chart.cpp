@@ -11,7 +11,7 @@
 #include <limits>
 #include <string_view>
 
-#include "apps/chart/escaped.hpp"
+#include "hardball/io/xml_text.hpp"
 
 namespace hardball::chart {
 namespace {
@@ -233,15 +233,15 @@ void add_axes(std::string& svg, const Chart& chart, const Palette& palette, cons
   svg += fmt::format("<path d=\"{}\" stroke=\"{}\" fill=\"none\"/>\n", paths, palette.ink);
   svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\"{}>{}</text>\n",
                      kFrameLeft + kFrameWidth / 2, kFloor + 40, squeezed(chart.x.label, kFrameWidth),
-                     escaped(chart.x.label));
+                     xml_escaped(chart.x.label));
   svg += fmt::format("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\"{}>{}</text>\n",
                      kFrameTop + kFrameHeight / 2, squeezed(chart.y.label, kFrameHeight),
-                     escaped(chart.y.label));
+                     xml_escaped(chart.y.label));
 }
 
 void add_title(std::string& svg, const Chart& chart) {
   svg += fmt::format("<text x=\"{}\" y=\"20\" font-size=\"{}\" font-weight=\"bold\">{}</text>\n", kFrameLeft,
-                     kFontSize + 1, escaped(chart.title));
+                     kFontSize + 1, xml_escaped(chart.title));
 }
 
 // The side of its line for a marker's name: centered, unless it would run into another.
@@ -260,7 +260,7 @@ void add_markers(std::string& svg, const Chart& chart, const Palette& palette, c
     svg += fmt::format(
         "<path d=\"M{0:.2f} {1}v{2}\" stroke=\"{5}\" stroke-dasharray=\"2 3\"/>\n"
         "<text x=\"{0:.2f}\" y=\"{3}\" text-anchor=\"{7}\" font-size=\"{6}\" fill=\"{5}\">{4}</text>\n",
-        x.pixel(marker.x), kFrameTop, kFrameHeight, kMarkerBaseline, escaped(marker.name), palette.muted,
+        x.pixel(marker.x), kFrameTop, kFrameHeight, kMarkerBaseline, xml_escaped(marker.name), palette.muted,
         kSmallFontSize, anchor_of(chart, marker, x));
   }
 }
@@ -433,7 +433,7 @@ void add_legend(std::string& svg, const Chart& chart, const Palette& palette) {
     }
     const double room = kFrameWidth / static_cast<double>(columns) - kLegendKey;
     svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\"{}>{}</text>\n", left + kLegendKey,
-                       middle + 4.5, kSmallFontSize, squeezed(series.name, room), escaped(series.name));
+                       middle + 4.5, kSmallFontSize, squeezed(series.name, room), xml_escaped(series.name));
   }
 }
 
@@ -508,8 +508,8 @@ std::string to_inline_svg(const Chart& chart, std::string_view id) {
       "{3}\" "
       "fill=\"currentColor\" font-size=\"{4}\">\n"
       "<title id=\"{0}-title\">{5}</title>\n<desc id=\"{0}-description\">{6}</desc>\n",
-      escaped(id), top, kPanelWidth, panel_height(chart) - top, kFontSize, escaped(chart.title),
-      escaped(description(chart)));
+      xml_escaped(id), top, kPanelWidth, panel_height(chart) - top, kFontSize, xml_escaped(chart.title),
+      xml_escaped(description(chart)));
   add_panel(svg, chart, kOfPage);
   return svg + "</svg>\n";
 }

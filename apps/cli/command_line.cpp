@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "apps/cli/terminal.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 
 namespace hardball::cli {

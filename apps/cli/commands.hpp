@@ -3,7 +3,7 @@
 #pragma once
 
 #include "apps/cli/options.hpp"
-#include "hardball/processes/processes.hpp"
+#include "hardball/processes.hpp"
 
 namespace hardball::cli {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "apps/cli/terminal.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 namespace {

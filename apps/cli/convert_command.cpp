@@ -5,14 +5,12 @@
 #include <string>
 
 #include "apps/cli/commands.hpp"
+#include "apps/cli/output_paths.hpp"
 #include "apps/cli/parse_number.hpp"
-#include "apps/cli/refuse_to_overwrite.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/written.hpp"
-#include "hardball/errors/error.hpp"
-#include "hardball/trajectory/snapshot_format.hpp"
-#include "hardball/trajectory/snapshot_reader.hpp"
-#include "hardball/trajectory/trajectory.hpp"
+#include "hardball/error.hpp"
+#include "hardball/trajectory.hpp"
 
 namespace hardball::cli {
 namespace {

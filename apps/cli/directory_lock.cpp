@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 #include "hardball/io/open_output.hpp"
 
 namespace hardball::cli {

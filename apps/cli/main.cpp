@@ -19,8 +19,8 @@
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/version.hpp"
 #include "apps/mpi/mpi_processes.hpp"
-#include "hardball/errors/error.hpp"
-#include "hardball/processes/in_all.hpp"
+#include "hardball/error.hpp"
+#include "hardball/processes.hpp"
 
 namespace hardball::cli {
 namespace {

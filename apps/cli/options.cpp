@@ -3,7 +3,7 @@
 #include "apps/cli/options.hpp"
 
 #include "apps/cli/command_line.hpp"
-#include "hardball/scenario/schema.hpp"
+#include "hardball/scenario.hpp"
 
 namespace hardball::cli {
 namespace {

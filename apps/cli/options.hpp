@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hardball/packing/request_text.hpp"
+#include "hardball/packing.hpp"
 
 namespace hardball::cli {
 

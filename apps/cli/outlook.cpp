@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "apps/cli/start.hpp"
-#include "hardball/errors/error.hpp"
-#include "hardball/numbers/random.hpp"
-#include "hardball/placement/radii.hpp"
+#include "hardball/error.hpp"
+#include "hardball/placement.hpp"
+#include "hardball/random.hpp"
+#include "hardball/scenario.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
-#include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/velocities.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "apps/cli/options.hpp"
-#include "hardball/scenario/scenario.hpp"
-#include "hardball/simulation/simulation.hpp"
-#include "hardball/theory/gas_statistics.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
+#include "hardball/theory.hpp"
 
 namespace hardball::cli {
 

@@ -9,8 +9,8 @@
 #include <variant>
 
 #include "apps/cli/seconds_since.hpp"
+#include "hardball/packing.hpp"
 #include "hardball/packing/jamming.hpp"
-#include "hardball/packing/packer.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/packing/packing_plan.hpp"
+#include "hardball/packing.hpp"
 
 namespace hardball::cli {
 

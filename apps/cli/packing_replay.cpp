@@ -9,10 +9,9 @@
 #include "apps/viewer/built_page.hpp"
 #include "apps/viewer/replay.hpp"
 #include "apps/viewer/shared_recording.hpp"
-#include "hardball/packing/contact_network.hpp"
-#include "hardball/recording/recording_header.hpp"
-#include "hardball/recording/recording_writer.hpp"
-#include "hardball/simulation/simulation.hpp"
+#include "hardball/packing.hpp"
+#include "hardball/recording.hpp"
+#include "hardball/simulation.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "hardball/packing/packing.hpp"
+#include "hardball/packing.hpp"
 
 namespace hardball::cli {
 

@@ -9,7 +9,7 @@
 
 #include "apps/cli/number_or_null.hpp"
 #include "apps/cli/terminal.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hardball/packing/packing.hpp"
+#include "hardball/packing.hpp"
 
 namespace hardball::cli {
 

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <string>
 
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "apps/cli/interruption.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "apps/cli/status_line.hpp"
-#include "hardball/packing/packer.hpp"
-#include "hardball/simulation/simulation.hpp"
+#include "hardball/packing.hpp"
+#include "hardball/simulation.hpp"
 
 namespace hardball::cli {
 

@@ -6,13 +6,13 @@
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
-#include "apps/cli/refuse_to_overwrite.hpp"
+#include "apps/cli/output_paths.hpp"
 #include "apps/cli/shown_run.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/written.hpp"
 #include "apps/viewer/built_page.hpp"
 #include "apps/viewer/replay.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 

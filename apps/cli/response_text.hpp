@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hardball/scenario/scenario.hpp"
+#include "hardball/scenario.hpp"
 
 namespace hardball::cli {
 

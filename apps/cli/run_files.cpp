@@ -7,12 +7,11 @@
 #include <system_error>
 #include <vector>
 
-#include "apps/cli/begin_recording.hpp"
-#include "apps/cli/directory.hpp"
-#include "hardball/errors/error.hpp"
+#include "apps/cli/output_paths.hpp"
+#include "hardball/error.hpp"
 #include "hardball/io/open_output.hpp"
 #include "hardball/io/replace_file.hpp"
-#include "hardball/measure/csv.hpp"
+#include "hardball/measures.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -122,6 +121,15 @@ std::vector<std::filesystem::path> files_of_run(const std::filesystem::path& dir
   names.insert(names.end(), {kEvents, kRecording});
   std::erase_if(names, [&](const auto& name) { return !std::filesystem::is_regular_file(directory / name); });
   return names;
+}
+
+RecordingWriter begin_recording(const std::filesystem::path& path, const Scenario& scenario,
+                                const Simulation& simulation) {
+  RecordingHeader header = recording_header(simulation);
+  header.name = std::filesystem::path(scenario.name).stem().string();
+  header.until = scenario.until;
+  for (const SpeciesDescription& species : scenario.species) header.species_names.push_back(species.name);
+  return {path, header, simulation.world()};
 }
 
 RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario,

@@ -13,14 +13,13 @@
 #include <vector>
 
 #include "apps/cli/directory_lock.hpp"
-#include "hardball/interaction/contact.hpp"
-#include "hardball/measure/measurement.hpp"
-#include "hardball/recording/npy_event_log.hpp"
-#include "hardball/recording/recording_writer.hpp"
-#include "hardball/run/observer.hpp"
-#include "hardball/scenario/scenario.hpp"
-#include "hardball/simulation/simulation.hpp"
-#include "hardball/trajectory/trajectory.hpp"
+#include "hardball/contact.hpp"
+#include "hardball/event_log.hpp"
+#include "hardball/measures.hpp"
+#include "hardball/recording.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
+#include "hardball/trajectory.hpp"
 
 namespace hardball::cli {
 
@@ -42,6 +41,10 @@ bool is_finished(const std::filesystem::path& directory);
 /// The files of a run in a directory that are there, by their names: the summary first, then checkpoints,
 /// trajectories, event log and recording.
 std::vector<std::filesystem::path> files_of_run(const std::filesystem::path& directory);
+
+/// Starts recording a scenario's simulation, which is at its start. Error: the file cannot be written.
+RecordingWriter begin_recording(const std::filesystem::path& path, const Scenario& scenario,
+                                const Simulation& simulation);
 
 /// How much of the files of a run belongs to a checkpoint.
 struct FilesState {

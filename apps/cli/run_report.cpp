@@ -14,17 +14,11 @@
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "hardball/measure/units.hpp"
-#include "hardball/theory/fluid_theory.hpp"
-#include "hardball/theory/gas_statistics.hpp"
-#include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/no_number.hpp"
-#include "hardball/theory/species_list.hpp"
-#include "hardball/theory/thermal_motion.hpp"
+#include "hardball/theory.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
-#include "hardball/world/totals.hpp"
-#include "hardball/world/walls.hpp"
+#include "hardball/world.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -108,14 +102,14 @@ std::vector<Quantity> rates(const Simulation& simulation, const GasStatistics& s
   if (world.interactions().are_elastic()) {
     add("mean free path", "L", statistics.mean_speed / collision_rate, expected_path);
   }
-  add("compressibility", "1", summary.compressibility(), fluid.compressibility());
-  if (std::isfinite(summary.wall_pressure())) {
+  add("compressibility", "1", summary.state.compressibility, fluid.compressibility());
+  if (std::isfinite(summary.state.wall_pressure)) {
     add("wall contacts per sphere and time", "T^-1", rate(counters.wall), wall_rate(statistics));
-    add("pressure on the walls", pressure_unit(statistics.box), summary.wall_pressure(),
+    add("pressure on the walls", pressure_unit(statistics.box), summary.state.wall_pressure,
         expected_wall_pressure(statistics, kinetic_energy(simulation.world(), simulation.now())));
   }
   // Several domains have more work than the one engine that the theory is of.
-  if (simulation.engine() == EngineKind::cells && counters.rebuilds == 0 && summary.domains() == 1) {
+  if (simulation.engine() == EngineKind::cells && counters.rebuilds == 0 && summary.state.domains == 1) {
     const CellCounts expected = expected_counts(statistics, simulation.cell_edge());
     add("cells entered per sphere and time", "T^-1", rate(counters.enter), expected.enter);
     add("stale events per sphere and time", "T^-1", rate(counters.stale), expected.stale);
@@ -239,16 +233,16 @@ report::Report run_report(const ScenarioChoice& chosen, const Scenario& scenario
   report.events = simulation.counters();
   report.mergers = simulation.tally().mergers();
   report.passes = simulation.tally().passes();
-  report.rotational_energy = summary.rotational_energy();
-  report.packing_fraction = summary.packing_fraction();
+  report.rotational_energy = summary.state.rotational_energy;
+  report.packing_fraction = summary.state.packing_fraction;
   report.initial_energy = simulation.tally().initial_energy();
   report.gravity = simulation.world().motion().gravity();
   report.final_energy = energy(simulation.world(), simulation.now());
   report.momentum = momentum(simulation.world(), simulation.now());
-  report.max_overlap = summary.max_overlap();
+  report.max_overlap = summary.state.max_overlap;
 
   report.is_flat = simulation.world().box().is_flat();
-  for (const WallSummary& wall : summary.walls()) report.surfaces.push_back(surface_report(wall));
+  for (const WallSummary& wall : summary.state.walls) report.surfaces.push_back(surface_report(wall));
 
   if (const auto& thermostat = simulation.thermostat()) {
     report.thermostat = {.kind = std::string(hardball::name_of(thermostat->kind())),
@@ -270,12 +264,12 @@ report::Report run_report(const ScenarioChoice& chosen, const Scenario& scenario
   }
 
   report.engine = name_of(simulation.engine());
-  report.cell_edge = summary.cell_edge();
+  report.cell_edge = summary.state.cell_edge;
   report.skin = simulation.skin();
-  report.setup_seconds = summary.seconds().setup;
-  report.run_seconds = summary.seconds().run;
-  report.bytes_per_sphere = summary.bytes_per_sphere();
-  report.peak_bytes = static_cast<double>(summary.peak_rss_bytes());
+  report.setup_seconds = summary.seconds.setup;
+  report.run_seconds = summary.seconds.run;
+  report.bytes_per_sphere = summary.state.bytes_per_sphere;
+  report.peak_bytes = static_cast<double>(summary.state.peak_rss_bytes);
 
   const GasStatistics statistics = gas_statistics(simulation.world(), simulation.now());
   report.rates = rates(simulation, statistics, summary);

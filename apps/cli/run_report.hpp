@@ -7,9 +7,9 @@
 #include "apps/cli/options.hpp"
 #include "apps/cli/summary.hpp"
 #include "apps/report/report.hpp"
-#include "hardball/measure/measurement.hpp"
-#include "hardball/scenario/scenario.hpp"
-#include "hardball/simulation/simulation.hpp"
+#include "hardball/measures.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
 
 namespace hardball::cli {
 

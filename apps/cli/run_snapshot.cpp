@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "hardball/archive/archive.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
+#include "hardball/processes.hpp"
 #include "hardball/processes/bytes.hpp"
-#include "hardball/processes/in_all.hpp"
-#include "hardball/trajectory/snapshot.hpp"
+#include "hardball/trajectory.hpp"
 
 namespace hardball::cli {
 namespace {

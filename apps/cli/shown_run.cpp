@@ -6,12 +6,12 @@
 #include <string>
 #include <utility>
 
-#include "apps/cli/begin_recording.hpp"
+#include "apps/cli/run_files.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/temporary_file.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/viewer/recorded_progress.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "apps/cli/options.hpp"
-#include "hardball/errors/error.hpp"
-#include "hardball/processes/processes.hpp"
-#include "hardball/scenario/scenario.hpp"
-#include "hardball/simulation/simulation.hpp"
+#include "hardball/error.hpp"
+#include "hardball/processes.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
 
 namespace hardball::cli {
 

@@ -19,11 +19,11 @@
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/archive/archive.hpp"
-#include "hardball/errors/error.hpp"
-#include "hardball/io/checkpoint_file.hpp"
+#include "hardball/checkpoint.hpp"
+#include "hardball/error.hpp"
 #include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
-#include "hardball/processes/in_all.hpp"
+#include "hardball/processes.hpp"
 #include "hardball/scenario/rest_watch.hpp"
 #include "hardball/simulation/simulation_checkpoint.hpp"
 
@@ -248,9 +248,9 @@ ExitCode carry_out(StartedRun& run) {
   Simulation& simulation = run.simulation;
   Course course(run);
   const bool is_complete = course.complete();
-  FinalState state = final_state(run.scenario, simulation);
-  state.at_rest_since = course.at_rest_since();
-  const Summary summary(run.scenario, run.choice.overrides, state, run.seconds, run.notes);
+  Summary summary{run.scenario, run.choice.overrides, final_state(run.scenario, simulation), run.seconds,
+                  run.notes};
+  summary.state.at_rest_since = course.at_rest_since();
   const std::string json = summary.json();
   std::vector<Measurement> measurements;
   std::string html;

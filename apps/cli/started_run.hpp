@@ -12,9 +12,9 @@
 #include "apps/cli/options.hpp"
 #include "apps/cli/run_files.hpp"
 #include "apps/cli/summary.hpp"
-#include "hardball/measure/measures.hpp"
-#include "hardball/scenario/scenario.hpp"
-#include "hardball/simulation/simulation.hpp"
+#include "hardball/measures.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
 
 namespace hardball::cli {
 

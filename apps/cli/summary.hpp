@@ -6,11 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/cli/wall_summary.hpp"
-#include "hardball/scenario/scenario.hpp"
-#include "hardball/simulation/simulation.hpp"
-#include "hardball/world/audit.hpp"
-#include "hardball/world/totals.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
+#include "hardball/world.hpp"
 
 namespace hardball::cli {
 
@@ -22,110 +20,64 @@ struct Seconds {
   static void persist(auto& archive, auto& self) { archive(self.setup, self.run); }
 };
 
-/// What a summary is made of: a simulation at its current time.
+/// What spheres did at one wall, and it to them, over a run; NaN where it does not apply.
+struct WallSummary {
+  std::string name;   ///< As wall_name says.
+  std::string shape;  ///< "face", "plane", "cylinder", "sphere" or "obstacle".
+  WallTally tally;
+  double area = 0;      ///< [L^2]
+  double force = 0;     ///< Mean along the normal [M L T^-2].
+  double pressure = 0;  ///< [M L^-1 T^-2]
+};
+
+/// What a simulation has come to.
 struct FinalState {
-  const World& world;  ///< Perhaps without spheres, or with earlier ones.
   std::size_t spheres = 0;
+  Box box;
   Time now;
+  std::optional<double> at_rest_since = {};  ///< When all spheres came to rest, which is how they stay [T].
   Counters counters;
-  std::size_t domains = 1;
+  std::size_t domains = 1;  ///< How many worked on the system.
   WindowCounters windows;
-  std::optional<double> at_rest_since;  ///< When all spheres came to rest, which is how they stay [T].
   ContactSums sums;
   Totals totals;
+  bool has_steps = false;  ///< Whether spheres have potentials of steps.
   double step_energy = 0;  ///< [M L^2 T^-2]
-  bool has_spins = false;
-  Audit audit;
+  double max_overlap = 0;  ///< In diameters [1].
+  // The following are NaN where they do not apply.
+  double rotational_energy = 0;  ///< [M L^2 T^-2]
+  double packing_fraction = 0;   ///< [1]
+  double compressibility = 0;    ///< [1]
+  double wall_pressure = 0;      ///< [M L^-1 T^-2]
+  double cell_edge = 0;          ///< [L]
+  std::vector<WallSummary> walls = {};
   std::vector<std::size_t> species_counts;  ///< As many as the scenario names.
   std::optional<Thermostat> thermostat;
   std::optional<GrowthSchedule> growth;
   EngineKind engine = EngineKind::automatic;
-  double cell_edge = 0;  ///< [L]
-  std::size_t memory_bytes = 0;
+  double bytes_per_sphere = 0;
+  long peak_rss_bytes = 0;
 };
 
-/// Cost: that of an audit. Precondition: the simulation outlives it.
+/// Cost: that of an audit.
 FinalState final_state(const Scenario& scenario, const Simulation& simulation);
 
 /// The summary of a run.
-class Summary {
- public:
-  /// Summarizes the run of a scenario. `overrides`: those of the scenario. `notes`: of its start, a sentence
-  /// each.
-  Summary(const Scenario& scenario, const std::vector<std::string>& overrides, const FinalState& state,
-          const Seconds& seconds, const std::vector<std::string>& notes);
+struct Summary {
+  const Scenario& scenario;
+  const std::vector<std::string>& overrides;  ///< How the command line changed it.
+  FinalState state;
+  Seconds seconds;
+  const std::vector<std::string>& notes;  ///< Notes of its start, a sentence each.
 
   /// One JSON object, with null for what does not apply to this run, and a line break.
   std::string json() const;
   /// A table for people.
   std::string table() const;
 
-  /// In diameters [1].
-  double max_overlap() const { return max_overlap_; }
-  // NaN where it does not apply.
-  double rotational_energy() const { return rotational_energy_; }  ///< [M L^2 T^-2]
-  double packing_fraction() const { return packing_fraction_; }
-  double compressibility() const { return compressibility_; }
-  double wall_pressure() const { return wall_pressure_; }  ///< [M L^-1 T^-2]
-  double cell_edge() const { return cell_edge_; }          ///< [L]
-
-  /// How many worked on the system.
-  std::size_t domains() const { return domains_; }
-
-  const std::vector<WallSummary>& walls() const { return walls_; }
-
-  const Seconds& seconds() const { return seconds_; }
-  double bytes_per_sphere() const { return bytes_per_sphere_; }
-  long peak_rss_bytes() const { return peak_rss_bytes_; }
-
  private:
-  struct SpeciesCount {
-    std::string name;
-    std::size_t spheres = 0;
-  };
-
-  std::string scenario_name_;
-  std::string scenario_text_;
-  std::vector<std::string> overrides_;
-  std::uint64_t seed_;
-  std::size_t spheres_;
-  bool is_flat_;
-  double time_;
-  std::optional<double> at_rest_since_;
-  bool is_unsettled_;  // though the spheres of the scenario come to rest
-  Counters counters_;
-  std::size_t domains_;
-  WindowCounters windows_;  // in the table alone: files do not depend on the number of threads
-  std::uint64_t mergers_;
-  std::uint64_t passes_;
-  bool has_steps_;
-  std::uint64_t steps_passed_;
-  std::uint64_t steps_refused_;
-  double step_energy_;
-  std::vector<SpeciesCount> species_;
-  std::uint64_t hash_;
-  double initial_energy_;
-  double final_energy_;
-  Vec3 momentum_;
-  double max_overlap_;
-  // The following are NaN where they do not apply.
-  double rotational_energy_;
-  double packing_fraction_;
-  double compressibility_;
-  double wall_pressure_;
-  std::vector<WallSummary> walls_;
-  std::optional<Thermostat> thermostat_;
-  std::optional<GrowthSchedule> growth_;
-  double growth_work_ = 0;
-  Shear shear_;
-  double shear_work_ = 0;
-  double shear_displacement_ = 0;
-  std::string engine_;
-  double cell_edge_;
-  Seconds seconds_;
-  std::vector<std::string> notes_;
-  double bytes_per_sphere_;
-  long peak_rss_bytes_;
+  double end_time() const { return state.at_rest_since ? *scenario.until : state.now.value(); }
+  double collisions_per_second() const { return static_cast<double>(state.counters.collision) / seconds.run; }
 };
 
 }  // namespace hardball::cli

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "apps/cli/interruption.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 #include "hardball/run/make_engine.hpp"
-#include "hardball/theory/gas_statistics.hpp"
+#include "hardball/theory.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 
 namespace hardball::cli {

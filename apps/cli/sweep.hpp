@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "apps/cli/progress.hpp"
-#include "hardball/engine/run.hpp"
-#include "hardball/simulation/simulation.hpp"
+#include "hardball/simulation.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 
 namespace hardball::cli {

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <string>
 
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 

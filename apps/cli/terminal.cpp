@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 

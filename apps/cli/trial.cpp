@@ -8,8 +8,8 @@
 
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/seconds_since.hpp"
-#include "hardball/errors/error.hpp"
-#include "hardball/measure/measures.hpp"
+#include "hardball/error.hpp"
+#include "hardball/measures.hpp"
 #include "hardball/scenario/rest_watch.hpp"
 #include "hardball/scenario/settling_heap.hpp"
 

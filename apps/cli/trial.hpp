@@ -6,7 +6,7 @@
 #include <string>
 
 #include "apps/cli/outlook.hpp"
-#include "hardball/scenario/scenario.hpp"
+#include "hardball/scenario.hpp"
 
 namespace hardball::cli {
 

@@ -12,8 +12,8 @@
 
 #include "apps/chart/chart.hpp"
 #include "apps/cli/commands.hpp"
-#include "apps/cli/directory.hpp"
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/output_paths.hpp"
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
 #include "apps/cli/start.hpp"
@@ -22,12 +22,10 @@
 #include "apps/cli/unit_costs.hpp"
 #include "apps/cli/warnings.hpp"
 #include "apps/cli/written.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 #include "hardball/io/output_file.hpp"
-#include "hardball/scenario/make_simulation.hpp"
-#include "hardball/scenario/make_world.hpp"
-#include "hardball/theory/gas_statistics.hpp"
-#include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/theory.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "apps/cli/parse_number.hpp"
-#include "hardball/errors/error.hpp"
-#include "hardball/simulation/measure_unit_costs.hpp"
+#include "hardball/error.hpp"
+#include "hardball/simulation.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -13,12 +13,11 @@
 #include "apps/cli/commands.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 #include "hardball/run/make_engine.hpp"
-#include "hardball/scenario/make_simulation.hpp"
-#include "hardball/scenario/make_world.hpp"
-#include "hardball/theory/gas_statistics.hpp"
-#include "hardball/world/audit.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/theory.hpp"
+#include "hardball/world.hpp"
 
 namespace hardball::cli {
 namespace {

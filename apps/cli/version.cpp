@@ -8,7 +8,7 @@
 
 #include "apps/cli/terminal.hpp"
 #include "commit.hpp"
-#include "hardball/kernels/instruction_set.hpp"
+#include "hardball/simulation.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -17,7 +17,7 @@
 #include "apps/cli/terminal.hpp"
 #include "apps/viewer/built_page.hpp"
 #include "apps/viewer/server.hpp"
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
 
 namespace hardball::cli {
 namespace {

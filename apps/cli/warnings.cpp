@@ -13,7 +13,7 @@
 
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/settling_heap.hpp"
-#include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/theory.hpp"
 
 namespace hardball::cli {
 namespace {

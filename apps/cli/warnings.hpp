@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "hardball/scenario/scenario.hpp"
-#include "hardball/theory/gas_statistics.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/theory.hpp"
 
 namespace hardball::cli {
 

@@ -8,12 +8,10 @@
 #include <array>
 #include <cctype>
 
-#include "apps/chart/escaped.hpp"
+#include "hardball/io/xml_text.hpp"
 
 namespace hardball::report {
 namespace {
-
-using chart::escaped;
 
 constexpr int kDeepest = 30;  // groups within groups; deeper ones are omitted
 
@@ -63,7 +61,7 @@ std::string row(const std::string& markup) {
 
 // Delimiters grow with what they enclose only where the formula says so.
 std::string delimiter(std::string_view text, bool grows) {
-  return fmt::format("<mo stretchy=\"{}\" lspace=\"0\" rspace=\"0\">{}</mo>", grows, escaped(text));
+  return fmt::format("<mo stretchy=\"{}\" lspace=\"0\" rspace=\"0\">{}</mo>", grows, xml_escaped(text));
 }
 
 // Reads one formula from its beginning to its end.
@@ -115,14 +113,14 @@ class Formula {
     if (rest_.front() == '{') return group();
     if (take_if("\\")) return command();
     if (is_digit(rest_.front())) {
-      return "<mn>" + escaped(take_while([](char c) { return is_digit(c) || c == '.'; })) + "</mn>";
+      return "<mn>" + xml_escaped(take_while([](char c) { return is_digit(c) || c == '.'; })) + "</mn>";
     }
-    if (is_letter(rest_.front())) return "<mi>" + escaped(take(1)) + "</mi>";
+    if (is_letter(rest_.front())) return "<mi>" + xml_escaped(take(1)) + "</mi>";
     const std::string_view character = take_character();
     if (character == "-") return "<mo>−</mo>";
     if (character == "/") return "<mo lspace=\"0\" rspace=\"0\">/</mo>";
     if (kDelimiters.find(character) != std::string_view::npos) return delimiter(character, false);
-    return "<mo>" + escaped(character) + "</mo>";
+    return "<mo>" + xml_escaped(character) + "</mo>";
   }
 
   // The terms in braces, or a single part without, as one element.
@@ -145,10 +143,10 @@ class Formula {
       return "<mfrac>" + above + group() + "</mfrac>";
     }
     if (name == "sqrt") return "<msqrt>" + group() + "</msqrt>";
-    if (name == "text") return "<mtext>" + escaped(verbatim()) + "</mtext>";
-    if (name == "mathrm") return "<mi mathvariant=\"normal\">" + escaped(verbatim()) + "</mi>";
+    if (name == "text") return "<mtext>" + xml_escaped(verbatim()) + "</mtext>";
+    if (name == "mathrm") return "<mi mathvariant=\"normal\">" + xml_escaped(verbatim()) + "</mi>";
     if (name == "mathbf")
-      return "<mi mathvariant=\"normal\" class=\"vector\">" + escaped(verbatim()) + "</mi>";
+      return "<mi mathvariant=\"normal\" class=\"vector\">" + xml_escaped(verbatim()) + "</mi>";
     if (name == "left") return enclosed();
     if (const auto text = text_of(kLetters, name); !text.empty()) return fmt::format("<mi>{}</mi>", text);
     if (const auto text = text_of(kOperators, name); !text.empty()) return fmt::format("<mo>{}</mo>", text);
@@ -156,7 +154,7 @@ class Formula {
     if (std::ranges::find(kFunctions, name) != kFunctions.end()) {
       return fmt::format("<mi>{}</mi><mo>&#x2061;</mo>", name);
     }
-    return "<mtext>\\" + escaped(name) + "</mtext>";
+    return "<mtext>\\" + xml_escaped(name) + "</mtext>";
   }
 
   // From \left to its \right, with delimiters as high as what is between them.
@@ -232,8 +230,8 @@ std::string with_formulas(std::string_view text) {
   for (;;) {
     const std::size_t begin = text.find('$');
     const std::size_t end = begin == std::string_view::npos ? begin : text.find('$', begin + 1);
-    if (end == std::string_view::npos) return html + escaped(text);
-    html += escaped(text.substr(0, begin));
+    if (end == std::string_view::npos) return html + xml_escaped(text);
+    html += xml_escaped(text.substr(0, begin));
     const std::string math = "<math>" + Formula(text.substr(begin + 1, end - begin - 1)).markup() + "</math>";
     text.remove_prefix(end + 1);
     // No line begins with a comma.

@@ -11,30 +11,28 @@
 #include <vector>
 
 #include "apps/chart/chart.hpp"
-#include "apps/chart/escaped.hpp"
 #include "apps/report/measurement_charts.hpp"
 #include "apps/report/number_text.hpp"
 #include "apps/report/page.hpp"
+#include "hardball/io/xml_text.hpp"
 #include "hardball/measure/bond_order.hpp"
 #include "hardball/measure/density_profiles.hpp"
 #include "hardball/measure/nearest_neighbor.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/packing/wall_profile.hpp"
-#include "hardball_report_files.hpp"
 
 namespace hardball::report {
 namespace {
 
 using chart::Chart;
-using chart::escaped;
 using chart::Series;
 
 std::string summary(const Packing& packing) {
   Table facts("facts", "");
   const auto add = [&](std::string_view name, const std::string& value) { facts.add_row(name, {value}); };
   const ContactNetwork& network = packing.network;
-  add("status", escaped(std::string(name_of(packing.status)) + ": " + packing.reason));
+  add("status", xml_escaped(std::string(name_of(packing.status)) + ": " + packing.reason));
   add("spheres", count_text(packing.spheres.size()));
   add("mean diameter", typeset(number_text(packing.spheres.mean_diameter(), 9)));
   add("packing fraction", typeset(number_text(packing.packing_fraction(), 9)));
@@ -52,7 +50,7 @@ std::string summary(const Packing& packing) {
   add("growth rate", typeset(number_text(packing.rate, 4)));
   add("collisions", count_text(packing.collisions));
   std::string html = facts.html();
-  for (const std::string& warning : packing.warnings) html += paragraph("note", escaped(warning));
+  for (const std::string& warning : packing.warnings) html += paragraph("note", xml_escaped(warning));
   return html;
 }
 
@@ -182,11 +180,14 @@ std::string to_html(const Packing& packing, const std::string& name, const std::
   sections += section("structure", "Structure",
                       structure<RadialDistribution>(scene) + from_the_wall(packing.spheres) +
                           structure<DensityProfiles>(scene) + structure<BondOrder>(scene));
-  return fill(without_license(packing_report_html()), {{"name", escaped(name)},
-                                                       {"program", escaped(program)},
-                                                       {"style", std::string(without_license(report_css()))},
-                                                       {"summary", summary(packing)},
-                                                       {"sections", sections}});
+  const std::string its_summary = summary(packing);
+  return Page{.kind = "packing",
+              .name = name,
+              .program = program,
+              .summary_html = its_summary,
+              .sections_html = sections,
+              .units_html = "Forces are in units of their mean, lengths in the unit of the request."}
+      .html();
 }
 
 }  // namespace hardball::report

@@ -40,10 +40,22 @@ class Table {
   std::string rows_;
 };
 
-/// An embedded file without the lines of its license, which end at the first empty one.
-std::string_view without_license(std::string_view file);
-
 /// A skeleton with each {{name}} replaced verbatim by its entry in `pieces`. Precondition: there is one.
 std::string fill(std::string_view skeleton, const std::map<std::string, std::string, std::less<>>& pieces);
+
+/// A report as one self-contained page.
+struct Page {
+  std::string_view kind;  ///< What it is a report of: "run".
+  std::string_view name;
+  std::string_view program;           ///< Name and version.
+  std::string_view date = {};         ///< May be empty.
+  std::string_view description = {};  ///< A paragraph below the name; may be empty.
+  std::string_view summary_html;
+  std::string_view contents_html = {};  ///< Items of a list; may be empty.
+  std::string_view sections_html;
+  std::string_view units_html;  ///< What numbers are in.
+
+  std::string html() const;
+};
 
 }  // namespace hardball::report

@@ -10,21 +10,18 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/chart/escaped.hpp"
 #include "apps/report/formula.hpp"
 #include "apps/report/measurement_charts.hpp"
 #include "apps/report/number_text.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/species_names.hpp"
+#include "hardball/io/xml_text.hpp"
 #include "hardball/measure/agreement.hpp"
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/world/audit.hpp"
-#include "hardball_report_files.hpp"
 
 namespace hardball::report {
 namespace {
-
-using chart::escaped;
 
 // Rounding changes the energy of elastic spheres by less, however long the run.
 constexpr double kEnergyTolerance = 1e-10;
@@ -36,8 +33,12 @@ std::string in_unit(const std::string& number, std::string_view unit) {
   return fmt::format("{} <span class=\"unit\">{}</span>", typeset(number), typeset(unit_text(unit)));
 }
 
+std::string energy_text(double energy) {
+  return in_unit(number_text(energy, 10), "M L^2 T^-2");
+}
+
 std::string code(std::string_view text) {
-  return "<code>" + escaped(text) + "</code>";
+  return "<code>" + xml_escaped(text) + "</code>";
 }
 
 std::string vector_text(const Vec3& vector, int digits) {
@@ -118,7 +119,7 @@ std::string agreement_sentence(const Agreement& agreement, const SpeciesNames& s
                       far.size() == 1 ? "one deviates" : std::to_string(far.size()) + " deviate");
   for (std::size_t i = 0; i < far.size(); ++i) {
     const std::string name = species.readable(far[i].quantity) + " (" + far[i].title + ")";
-    text += (i > 0 ? ", " : "") + escaped(name);
+    text += (i > 0 ? ", " : "") + xml_escaped(name);
   }
   return text + ". Theory is that of equilibrium: measure from a later time if the run starts far from it.";
 }
@@ -140,7 +141,7 @@ std::string unsettled_sentences(const std::map<std::string, std::vector<std::str
   for (const auto& [reason, measurements] : titles) {
     const std::string which = measurements.size() > kMany ? fmt::format("{} measures", measurements.size())
                                                           : fmt::to_string(fmt::join(measurements, ", "));
-    text += escaped(fmt::format(" No standard errors for {}: {}.", which, reason));
+    text += xml_escaped(fmt::format(" No standard errors for {}: {}.", which, reason));
   }
   return text;
 }
@@ -253,30 +254,28 @@ std::string species_text(const SpeciesReport& species) {
 
 std::string certificate(const Report& report) {
   Table conserved("facts", "State");
-  conserved.add_row("energy at the start", {in_unit(number_text(report.initial_energy, 10), "M L^2 T^-2")});
-  conserved.add_row("energy at the end", {in_unit(number_text(report.final_energy, 10), "M L^2 T^-2")});
+  conserved.add_row("energy at the start", {energy_text(report.initial_energy)});
+  conserved.add_row("energy at the end", {energy_text(report.final_energy)});
   if (std::isfinite(report.rotational_energy)) {
-    conserved.add_row("rotational part", {in_unit(number_text(report.rotational_energy, 10), "M L^2 T^-2")});
+    conserved.add_row("rotational part", {energy_text(report.rotational_energy)});
   }
   conserved.add_row("relative change", {typeset(number_text(energy_change(report), 2))});
   if (!report.surfaces.empty()) {
-    conserved.add_row("work of the surfaces",
-                      {in_unit(number_text(work_of_surfaces(report), 10), "M L^2 T^-2")});
+    conserved.add_row("work of the surfaces", {energy_text(work_of_surfaces(report))});
   }
   if (report.thermostat) {
-    conserved.add_row("given by the thermostat",
-                      {in_unit(number_text(report.thermostat->energy, 10), "M L^2 T^-2")});
+    conserved.add_row("given by the thermostat", {energy_text(report.thermostat->energy)});
   }
   if (report.growth) {
     const GrowthReport& growth = *report.growth;
     conserved.add_row("growth", {fmt::format("{}, {} epochs, the last with PV/NkT = {}", growth.state,
                                              growth.epochs, number_text(growth.compressibility, 4))});
-    conserved.add_row("work of growth", {in_unit(number_text(growth.work, 10), "M L^2 T^-2")});
-    conserved.add_row("given by halving velocities", {in_unit(number_text(growth.energy, 10), "M L^2 T^-2")});
+    conserved.add_row("work of growth", {energy_text(growth.work)});
+    conserved.add_row("given by halving velocities", {energy_text(growth.energy)});
   }
   if (report.shear) {
     conserved.add_row("rate of the shear", {in_unit(number_text(report.shear->rate, 10), "T^-1")});
-    conserved.add_row("work of the shear", {in_unit(number_text(report.shear->work, 10), "M L^2 T^-2")});
+    conserved.add_row("work of the shear", {energy_text(report.shear->work)});
   }
   if ((!report.surfaces.empty() || report.thermostat || report.growth) && is_elastic(report)) {
     conserved.add_row("change beyond it", {typeset(number_text(energy_drift(report), 2))});
@@ -287,12 +286,12 @@ std::string certificate(const Report& report) {
     conserved.add_row("restitution", {number_text(report.restitution)});
   } else {
     for (const ResponseReport& response : report.responses) {
-      conserved.add_row(escaped(response.who), {escaped(response.what)});
+      conserved.add_row(xml_escaped(response.who), {xml_escaped(response.what)});
     }
   }
   for (std::size_t k = 0; k < report.species.size(); ++k) {
     const std::string& name = report.species[k].name;
-    conserved.add_row("species " + (name.empty() ? std::to_string(k + 1) : escaped(name)),
+    conserved.add_row("species " + (name.empty() ? std::to_string(k + 1) : xml_escaped(name)),
                       {species_text(report.species[k])});
   }
   if (report.is_flat) conserved.add_row("dimensions", {"2"});
@@ -320,23 +319,23 @@ std::string certificate(const Report& report) {
 }
 
 // A number and its unit; only a dash if it has no meaning.
-std::string measured_in(double value, double error, std::string_view unit) {
-  return std::isfinite(value) ? in_unit(measured_text(value, error), unit) : number_text(value);
+std::string measured_in(double value, std::string_view unit) {
+  return std::isfinite(value) ? in_unit(number_text(value), unit) : number_text(value);
 }
 
 std::string surface_article(const SurfaceReport& surface, std::size_t number, bool is_flat) {
   Table table("facts", "");
-  table.add_row("shape", {escaped(surface.shape)});
+  table.add_row("shape", {xml_escaped(surface.shape)});
   table.add_row("contacts", {count_text(surface.contacts)});
   const std::string area = in_unit(number_text(surface.area), is_flat ? "L" : "L^2");
   table.add_row(is_flat ? "length" : "area", {std::isfinite(surface.area) ? area : "unbounded"});
-  table.add_row("mean force on it", {measured_in(surface.force, surface.force_error, "M L T^-2")});
+  table.add_row("mean force on it", {measured_in(surface.force, "M L T^-2")});
   if (std::isfinite(surface.pressure)) {
     const char* const unit = is_flat ? "M T^-2" : "M L^-1 T^-2";
-    table.add_row("pressure on it", {measured_in(surface.pressure, surface.pressure_error, unit)});
+    table.add_row("pressure on it", {measured_in(surface.pressure, unit)});
   }
-  table.add_row("work done on the spheres", {measured_in(surface.work, std::nan(""), "M L^2 T^-2")});
-  return fmt::format("<article>\n<h3 id=\"surface-{}\">{}</h3>\n", number, escaped(surface.name)) +
+  table.add_row("work done on the spheres", {measured_in(surface.work, "M L^2 T^-2")});
+  return fmt::format("<article>\n<h3 id=\"surface-{}\">{}</h3>\n", number, xml_escaped(surface.name)) +
          table.html() + "</article>\n";
 }
 
@@ -344,10 +343,10 @@ std::string surface_article(const SurfaceReport& surface, std::size_t number, bo
 std::string surfaces_table(const std::vector<SurfaceReport>& surfaces) {
   Table table("numbers", "", {"surface", "shape", "contacts", "mean force", "pressure", "work"});
   for (const SurfaceReport& surface : surfaces) {
-    table.add_row(escaped(surface.name), {escaped(surface.shape), count_text(surface.contacts),
-                                          typeset(measured_text(surface.force, surface.force_error)),
-                                          typeset(measured_text(surface.pressure, surface.pressure_error)),
-                                          typeset(number_text(surface.work))});
+    table.add_row(
+        xml_escaped(surface.name),
+        {xml_escaped(surface.shape), count_text(surface.contacts), typeset(number_text(surface.force)),
+         typeset(number_text(surface.pressure)), typeset(number_text(surface.work))});
   }
   return table.html();
 }
@@ -387,7 +386,7 @@ std::string quantities_table(const std::vector<Quantity>& quantities, const Spec
   Table table("numbers", "", {"quantity", "measured", "theory", "deviation"});
   for (const Quantity& quantity : quantities) {
     const std::string unit = unit_text(quantity.unit);
-    const std::string name = escaped(species.readable(quantity.name)) +
+    const std::string name = xml_escaped(species.readable(quantity.name)) +
                              (unit.empty() ? "" : " <span class=\"unit\">[" + typeset(unit) + "]</span>");
     const std::string deviation = deviation_text(quantity.value, quantity.error, quantity.theory);
     table.add_row(name,
@@ -421,8 +420,8 @@ std::string rates(const Report& report, const Agreement& agreement) {
 std::string transient_note(const Measurement& measurement) {
   if (!measurement.is_transient_over) {
     return paragraph("note",
-                     escaped("The means depend on the length of the run and have no standard errors: " +
-                             measurement.unsettled + "."));
+                     xml_escaped("The means depend on the length of the run and have no standard errors: " +
+                                 measurement.unsettled + "."));
   }
   if (measurement.transient <= 0) return {};
   return paragraph("note",
@@ -444,7 +443,7 @@ std::string reasons(const Measurement& measurement, const SpeciesNames& species)
   for (const auto& [reason, names] : without_error) {
     text += "No standard error for " + names + ": " + reason + ". ";
   }
-  return text.empty() ? text : paragraph("note", escaped(text));
+  return text.empty() ? text : paragraph("note", xml_escaped(text));
 }
 
 // The numbers that the run has determined.
@@ -459,8 +458,8 @@ std::string article(const Measurement& measurement, const SpeciesNames& species,
   const std::vector<Quantity> quantities = known(measurement.quantities);
   const std::string why = reasons(measurement, species);
   if (charts.empty() && quantities.empty() && why.empty()) return {};
-  std::string html = "<article>\n<h3 id=\"measure-" + escaped(measurement.name) + "\">" +
-                     escaped(measurement.title) + "</h3>\n";
+  std::string html = "<article>\n<h3 id=\"measure-" + xml_escaped(measurement.name) + "\">" +
+                     xml_escaped(measurement.title) + "</h3>\n";
   if (!measurement.formula.empty()) html += paragraph("formula", with_formulas(measurement.formula));
   html += "<div class=\"pair\">\n";
   for (std::size_t i = 0; i < charts.size(); ++i) {
@@ -469,7 +468,7 @@ std::string article(const Measurement& measurement, const SpeciesNames& species,
   }
   if (!quantities.empty()) html += quantities_table(quantities, species, agreement);
   html += "</div>\n" + transient_note(measurement) + why;
-  if (!measurement.source.empty()) html += paragraph("source", escaped(measurement.source));
+  if (!measurement.source.empty()) html += paragraph("source", xml_escaped(measurement.source));
   return html + "</article>\n";
 }
 
@@ -481,7 +480,7 @@ std::string measures(const Report& report, const Agreement& agreement) {
   for (const Measurement& measurement : report.measurements) {
     const std::string html = article(measurement, species, agreement);
     articles += html;
-    if (html.empty()) others += (others.empty() ? "" : ", ") + escaped(measurement.title);
+    if (html.empty()) others += (others.empty() ? "" : ", ") + xml_escaped(measurement.title);
   }
   if (!others.empty()) others = paragraph("note", "Without results in this run: " + others + ".");
   return articles.empty() ? others : reading() + articles + others;
@@ -503,10 +502,10 @@ std::string choice(const CostCurve& curve) {
       const double share = (mark.x - curve.length[i]) / (curve.length[i + 1] - curve.length[i]);
       cost = curve.cost[i] + share * (curve.cost[i + 1] - curve.cost[i]);
     }
-    table.add_row(escaped(mark.name), {in_unit(number_text(mark.x, 4), "L"), number_text(cost, 4)});
+    table.add_row(xml_escaped(mark.name), {in_unit(number_text(mark.x, 4), "L"), number_text(cost, 4)});
   }
   return "<div class=\"pair\">\n" + figure(chart::to_inline_svg(chart, "plot-choice")) + "<div>\n" +
-         table.html() + paragraph("note", escaped(curve.explanation)) + "</div>\n</div>\n";
+         table.html() + paragraph("note", xml_escaped(curve.explanation)) + "</div>\n</div>\n";
 }
 
 std::string speed(const Report& report) {
@@ -526,7 +525,7 @@ std::string speed(const Report& report) {
                                                               static_cast<double>(report.events.contacts()),
                                                           4)});
   }
-  table.add_row("engine", {escaped(report.engine)});
+  table.add_row("engine", {xml_escaped(report.engine)});
   if (report.cell_edge > 0)
     table.add_row("edge of the cells", {in_unit(number_text(report.cell_edge, 4), "L")});
   if (report.skin > 0) table.add_row("skin of the lists", {in_unit(number_text(report.skin, 4), "L")});
@@ -551,7 +550,7 @@ std::string scenario(const Report& report) {
     html += "</ul>\n";
   }
   const std::string_view shown = beginning_of(report.scenario);
-  html += "<pre tabindex=\"0\"><code>" + escaped(shown) + "</code></pre>\n";
+  html += "<pre tabindex=\"0\"><code>" + xml_escaped(shown) + "</code></pre>\n";
   if (shown.size() < report.scenario.size()) {
     html += paragraph("note", fmt::format("The file continues for another {} bytes.",
                                           count_text(report.scenario.size() - shown.size())));
@@ -566,7 +565,7 @@ std::string to_html(const Report& report) {
   std::string contents;
   std::string sections;
   const auto add = [&](std::string_view id, std::string_view heading, const std::string& html) {
-    contents += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, escaped(heading));
+    contents += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, xml_escaped(heading));
     sections += section(id, heading, html);
   };
   add("certificate", "Certificate", certificate(report));
@@ -583,15 +582,20 @@ std::string to_html(const Report& report) {
   add("speed", "Speed and memory", speed(report));
   add("scenario", "Scenario", scenario(report));
   const std::string description = description_of(report.scenario);
-  return fill(without_license(report_html()),
-              {{"name", escaped(report.name)},
-               {"program", escaped(report.program)},
-               {"date", report.date.empty() ? "" : ", " + escaped(report.date)},
-               {"style", std::string(without_license(report_css()))},
-               {"description", description.empty() ? "" : paragraph("lead", escaped(description))},
-               {"summary", verdict(report, agreement) + key_figures(report)},
-               {"contents", contents},
-               {"sections", sections}});
+  const std::string summary = verdict(report, agreement) + key_figures(report);
+  return Page{.kind = "run",
+              .name = report.name,
+              .program = report.program,
+              .date = report.date,
+              .description = description,
+              .summary_html = summary,
+              .contents_html = contents,
+              .sections_html = sections,
+              .units_html =
+                  "Units: <abbr title=\"the unit of length of the scenario\">L</abbr>, <abbr title=\"the "
+                  "unit of time of the scenario\">T</abbr> and <abbr title=\"the unit of mass of the "
+                  "scenario\">M</abbr> are the scenario’s own units of length, time and mass."}
+      .html();
 }
 
 }  // namespace hardball::report

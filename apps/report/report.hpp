@@ -35,8 +35,6 @@ struct SurfaceReport {
   double force = std::numeric_limits<double>::quiet_NaN();     ///< Mean along the normal [M L T^-2].
   double pressure = std::numeric_limits<double>::quiet_NaN();  ///< Force over area [M L^-1 T^-2].
   double work = 0;                                             ///< Done on the spheres [M L^2 T^-2].
-  double force_error = std::numeric_limits<double>::quiet_NaN();     ///< Standard error of `force`.
-  double pressure_error = std::numeric_limits<double>::quiet_NaN();  ///< Standard error of `pressure`.
 };
 
 /// What a thermostat did.

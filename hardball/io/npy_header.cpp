@@ -28,8 +28,7 @@ class Description {
   Description(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
   void read(NpyHeader& header) {
-    expect('{');
-    while (!skip('}')) {
+    read_all('{', '}', [&] {
       const std::string key = word();
       expect(':');
       if (key == "descr") {
@@ -42,11 +41,7 @@ class Description {
       } else {
         fail();
       }
-      if (!skip(',')) {
-        expect('}');
-        break;
-      }
-    }
+    });
     if (header.fields.empty()) fail();
   }
 
@@ -66,6 +61,16 @@ class Description {
   }
   void expect(char c) {
     if (!skip(c)) fail();
+  }
+  // Calls read() for each of the entries between brackets, which commas separate.
+  template <class Read>
+  void read_all(char open, char close, const Read& read) {
+    expect(open);
+    while (!skip(close)) {
+      read();
+      if (skip(',')) continue;
+      return expect(close);
+    }
   }
   bool skip_word(std::string_view word) {
     peek();
@@ -92,14 +97,7 @@ class Description {
   }
   std::vector<std::uint64_t> numbers() {
     std::vector<std::uint64_t> numbers;
-    expect('(');
-    while (!skip(')')) {
-      numbers.push_back(number());
-      if (!skip(',')) {
-        expect(')');
-        break;
-      }
-    }
+    read_all('(', ')', [&] { numbers.push_back(number()); });
     return numbers;
   }
 
@@ -125,41 +123,38 @@ class Description {
       header.item_bytes = header.fields.back().bytes;
       return;
     }
-    expect('[');
-    while (!skip(']')) {
-      expect('(');
-      const std::string name = word();
-      expect(',');
-      const std::string type = word();
-      std::vector<std::uint64_t> shape;
-      if (skip(',') && peek() == '(') shape = numbers();
-      expect(')');
-      // Bytes that belong to no field.
-      const bool is_padding = type.starts_with("|V");
-      NpyField field;
-      if (is_padding) {
-        field.bytes = 1;
-        shape.assign(1, 0);
-        if (std::from_chars(type.data() + 2, type.data() + type.size(), shape[0]).ec != std::errc()) fail();
-      } else {
-        field = field_of(type);
-      }
-      field.name = name;
-      field.offset = header.item_bytes;
-      for (const std::uint64_t length : shape) {
-        if (length > kLongestHeader || field.count > kLongestHeader) fail();
-        field.count *= length;
-      }
-      header.item_bytes += field.bytes * field.count;
-      if (!is_padding) {
-        if (name.empty()) fail();
-        header.fields.push_back(field);
-      }
-      if (!skip(',')) {
-        expect(']');
-        break;
-      }
+    read_all('[', ']', [&] { read_field(header); });
+  }
+
+  // A field of a structure: its name, its type, and how many of them there are.
+  void read_field(NpyHeader& header) {
+    expect('(');
+    const std::string name = word();
+    expect(',');
+    const std::string type = word();
+    std::vector<std::uint64_t> shape;
+    if (skip(',') && peek() == '(') shape = numbers();
+    expect(')');
+    // Bytes that belong to no field.
+    const bool is_padding = type.starts_with("|V");
+    NpyField field;
+    if (is_padding) {
+      field.bytes = 1;
+      shape.assign(1, 0);
+      if (std::from_chars(type.data() + 2, type.data() + type.size(), shape[0]).ec != std::errc()) fail();
+    } else {
+      field = field_of(type);
     }
+    field.name = name;
+    field.offset = header.item_bytes;
+    for (const std::uint64_t length : shape) {
+      if (length > kLongestHeader || field.count > kLongestHeader) fail();
+      field.count *= length;
+    }
+    header.item_bytes += field.bytes * field.count;
+    if (is_padding) return;
+    if (name.empty()) fail();
+    header.fields.push_back(field);
   }
 
   std::string_view text_;

@@ -69,10 +69,7 @@ void NpyEventLog::append(const Contact& contact) {
   append_little_endian(record, contact.first);
   append_little_endian(record, contact.second);
   append_little_endian(record, static_cast<std::uint8_t>(contact.is_collision() ? 0 : 1));
-  const Vec3 impulse = contact.impulse();
-  append_little_endian(record, impulse.x);
-  append_little_endian(record, impulse.y);
-  append_little_endian(record, impulse.z);
+  append_little_endian(record, contact.impulse());
   append_little_endian(record, contact.impact_speed());
   file_.append(record);
   ++size_;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
@@ -135,11 +137,21 @@ class HeaderReader {
     return boundary;
   }
 
-  // Calls take(value) for the value of `key`, if there is one.
-  template <class Take>
-  void read(const Json& object, const char* key, const Take& take) const {
+  // Reads the value of `key`, if there is one, into a variable, or calls a function with it. Null leaves what
+  // may be missing without a value.
+  template <class Target>
+  void read(const Json& object, const char* key, Target&& target) const {
     const auto found = object.find(key);
-    if (found != object.end()) take(*found);
+    if (found == object.end()) return;
+    if constexpr (std::is_same_v<Target, double&>) {
+      target = number(*found);
+    } else if constexpr (std::is_same_v<Target, std::optional<double>&>) {
+      if (!found->is_null()) target = number(*found);
+    } else if constexpr (std::is_same_v<Target, Vec3&>) {
+      target = vector(*found);
+    } else {
+      target(*found);
+    }
   }
 
   // Gives a box the properties of its faces.
@@ -147,14 +159,9 @@ class HeaderReader {
     for (Face face = 0; face < kFaces; ++face) {
       read(value, std::string(kFaceNames[face]).c_str(), [&](const Json& entry) {
         FaceProperties properties;
-        const auto number_in = [&](const char* key, std::optional<double>& number) {
-          read(entry, key, [&](const Json& given) {
-            if (!given.is_null()) number = this->number(given);
-          });
-        };
-        number_in("temperature", properties.material.temperature);
-        number_in("restitution", properties.material.restitution);
-        read(entry, "velocity", [&](const Json& given) { properties.velocity = vector(given); });
+        read(entry, "temperature", properties.material.temperature);
+        read(entry, "restitution", properties.material.restitution);
+        read(entry, "velocity", properties.velocity);
         try {
           box.set_face(face, properties);
         } catch (const Error& error) {
@@ -175,12 +182,10 @@ class HeaderReader {
       surface.direction = vector(member(value, "direction"));
     if (is_cone) surface.slope = number(member(value, "slope"));
     if (!is_plane && !is_cone) surface.radius = number(member(value, "radius"));
-    read(value, "velocity", [&](const Json& entry) { surface.velocity = vector(entry); });
-    read(value, "amplitude", [&](const Json& entry) { surface.amplitude = number(entry); });
-    read(value, "frequency", [&](const Json& entry) { surface.frequency = number(entry); });
-    read(value, "temperature", [&](const Json& entry) {
-      if (!entry.is_null()) surface.temperature = number(entry);
-    });
+    read(value, "velocity", surface.velocity);
+    read(value, "amplitude", surface.amplitude);
+    read(value, "frequency", surface.frequency);
+    read(value, "temperature", surface.temperature);
     read(value, "restitution", [&](const Json& entry) { surface.restitution = number_if_any(entry); });
     check(surface);
     return surface;
@@ -316,18 +321,16 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
   header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
   in.read(box, "faces", [&](const Json& value) { in.faces(value, header.box); });
   Shear shear;
-  in.read(box, "shear_rate", [&](const Json& value) { shear.rate = in.number(value); });
-  in.read(box, "shear_offset", [&](const Json& value) { shear.offset = in.number(value); });
+  in.read(box, "shear_rate", shear.rate);
+  in.read(box, "shear_offset", shear.offset);
   header.box.set_recorded_shear(shear);
-  in.read(object, "begin", [&](const Json& value) { header.begin = in.number(value); });
-  in.read(object, "until", [&](const Json& value) {
-    if (!value.is_null()) header.until = in.number(value);
-  });
-  in.read(object, "cell_edge", [&](const Json& value) { header.cell_edge = in.vector(value); });
-  in.read(object, "cell_origin", [&](const Json& value) { header.cell_origin = in.vector(value); });
+  in.read(object, "begin", header.begin);
+  in.read(object, "until", header.until);
+  in.read(object, "cell_edge", header.cell_edge);
+  in.read(object, "cell_origin", header.cell_origin);
   in.read(object, "name", [&](const Json& value) { header.name = in.text(value, "name"); });
   in.read(object, "restitution", [&](const Json& value) { header.restitution = in.number_if_any(value); });
-  in.read(object, "gravity", [&](const Json& value) { header.gravity = in.vector(value); });
+  in.read(object, "gravity", header.gravity);
   in.read(object, "surfaces", [&](const Json& value) { header.surfaces = in.surfaces(value); });
   in.read(object, "species", [&](const Json& value) { in.species(value, header); });
   in.read(object, "bonds", [&](const Json& value) { header.bonds = in.bonds(value, header.spheres); });

@@ -27,12 +27,6 @@ class Numbers {
     return number;
   }
 
-  Vec3 vector() {
-    Vec3 vector;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) vector[axis] = take<double>();
-    return vector;
-  }
-
  private:
   const char* next_;
 };
@@ -173,17 +167,13 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   Numbers numbers(bytes);
   RecordedChunk recorded{extent.begin, extent.end, {}, {}, {}};
   if (header_.has_growth) {
-    RecordedEpoch& epoch = recorded.epoch;
-    for (double* const number : {&epoch.begin, &epoch.scale, &epoch.rate}) *number = numbers.take<double>();
-    refuse_unless(is_sound(epoch) && epoch.begin <= extent.begin);
+    recorded.epoch = numbers.take<RecordedEpoch>();
+    refuse_unless(is_sound(recorded.epoch) && recorded.epoch.begin <= extent.begin);
   }
   const bool has_bodies = header_.has_bodies;
   recorded.keyframe.reserve(header_.spheres);
   for (std::size_t id = 0; id < header_.spheres; ++id) {
-    RecordedPath path;
-    path.position = numbers.vector();
-    path.velocity = numbers.vector();
-    path.time = numbers.take<double>();
+    const auto path = numbers.take<RecordedPath>();
     refuse_unless(is_finite(path.position) && is_finite(path.velocity) && std::isfinite(path.time) &&
                   path.time <= extent.begin);
     recorded.keyframe.push_back(path);
@@ -192,12 +182,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   for (std::size_t id = 0; id < header_.spheres; ++id) {
     RecordedBody body{.radius = radii_[id], .mass = masses_[id]};
     if (has_bodies) {
-      body.spin = numbers.vector();
-      body.orientation.imaginary = numbers.vector();
-      body.orientation.real = numbers.take<double>();
-      body.radius = numbers.take<double>();
-      body.mass = numbers.take<double>();
-      body.inertia_factor = numbers.take<double>();
+      body = numbers.take<RecordedBody>();
       refuse_unless(is_finite(body.spin) && is_sound(body));
     }
     recorded.bodies.push_back(body);
@@ -208,16 +193,16 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
     RecordedContact contact;
     contact.time = numbers.take<double>();
     contact.first = numbers.take<std::uint32_t>();
-    contact.second = static_cast<std::int32_t>(numbers.take<std::uint32_t>());
+    contact.second = numbers.take<std::int32_t>();
     const std::uint64_t outcome = has_bodies ? numbers.take<std::uint64_t>() : 0;
     refuse_unless(outcome <= static_cast<std::uint64_t>(ContactOutcome::merge));
     contact.outcome = static_cast<ContactOutcome>(outcome);
-    contact.first_position = numbers.vector();
-    contact.first_velocity = numbers.vector();
-    if (has_bodies) contact.first_spin = numbers.vector();
-    contact.second_position = numbers.vector();
-    contact.second_velocity = numbers.vector();
-    if (has_bodies) contact.second_spin = numbers.vector();
+    contact.first_position = numbers.take<Vec3>();
+    contact.first_velocity = numbers.take<Vec3>();
+    if (has_bodies) contact.first_spin = numbers.take<Vec3>();
+    contact.second_position = numbers.take<Vec3>();
+    contact.second_velocity = numbers.take<Vec3>();
+    if (has_bodies) contact.second_spin = numbers.take<Vec3>();
     if (contact.outcome == ContactOutcome::merge) {
       const Vec3& values = contact.second_velocity;
       refuse_unless(is_positive(values.x) && is_mass(values.y) && is_positive(values.z));

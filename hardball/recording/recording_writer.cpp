@@ -24,40 +24,30 @@ using namespace recording_format;
 constexpr std::size_t kLeastContacts = 1000;
 constexpr std::size_t kMaxContactBytes = std::size_t{64} << 20;
 
-void append(std::string& bytes, const Vec3& vector) {
-  append_little_endian(bytes, vector.x);
-  append_little_endian(bytes, vector.y);
-  append_little_endian(bytes, vector.z);
-}
+static_assert(sizeof(RecordedPath) == Layout::kPathBytes && sizeof(RecordedBody) == Layout::kBodyBytes &&
+              sizeof(RecordedEpoch) == Layout::kGrowthBytes);
 
-void append(std::string& bytes, const RecordedPath& path) {
-  append(bytes, path.position);
-  append(bytes, path.velocity);
-  append_little_endian(bytes, path.time);
-}
-
-void append(std::string& bytes, const RecordedBody& body) {
-  append(bytes, body.spin);
-  append(bytes, body.orientation.imaginary);
-  append_little_endian(bytes, body.orientation.real);
-  append_little_endian(bytes, body.radius);
-  append_little_endian(bytes, body.mass);
-  append_little_endian(bytes, body.inertia_factor);
+// What a keyframe says of a sphere.
+template <Plain State>
+void append(std::string& bytes, const State& state) {
+  append_little_endian(bytes, state);
 }
 
 void append(std::string& bytes, const RecordedContact& contact, bool has_bodies) {
   append_little_endian(bytes, contact.time);
   append_little_endian(bytes, contact.first);
-  append_little_endian(bytes, static_cast<std::uint32_t>(contact.second));
+  append_little_endian(bytes, contact.second);
   if (has_bodies) append_little_endian(bytes, static_cast<std::uint64_t>(contact.outcome));
-  append(bytes, contact.first_position);
-  append(bytes, contact.first_velocity);
-  if (has_bodies) append(bytes, contact.first_spin);
-  append(bytes, contact.second_position);
-  const auto& [radius, mass, inertia_factor] = contact.merged;
-  append(bytes, contact.outcome == ContactOutcome::merge ? Vec3{radius, mass, inertia_factor}
-                                                         : contact.second_velocity);
-  if (has_bodies) append(bytes, contact.second_spin);
+  append_little_endian(bytes, contact.first_position);
+  append_little_endian(bytes, contact.first_velocity);
+  if (has_bodies) append_little_endian(bytes, contact.first_spin);
+  append_little_endian(bytes, contact.second_position);
+  if (contact.outcome == ContactOutcome::merge) {
+    append_little_endian(bytes, contact.merged);
+  } else {
+    append_little_endian(bytes, contact.second_velocity);
+  }
+  if (has_bodies) append_little_endian(bytes, contact.second_spin);
 }
 
 // Appends to a file, and sums what it appends.
@@ -303,8 +293,7 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   SummedPart body(file_);
   if (layout.has_growth) {
     std::string epoch;
-    for (const double number : {state_.epoch.begin, state_.epoch.scale, state_.epoch.rate})
-      append_little_endian(epoch, number);
+    append_little_endian(epoch, state_.epoch);
     body.append(epoch);
   }
   body.append_all(state_.keyframe.begin(), state_.keyframe.end());

@@ -14,196 +14,194 @@
 namespace hardball {
 namespace {
 
-using enum ValueType;
 using enum NumberRange;
+using Names = std::vector<std::string_view>;
 
-std::shared_ptr<const TableDescription> make(TableDescription table) {
-  return std::make_shared<const TableDescription>(std::move(table));
+// What a value may be.
+struct Values {
+  ValueType type;
+  NumberRange range = finite;
+  std::string_view dimension = {};
+  Names choices = {};
+  std::uint64_t least = 0;
+  std::uint64_t most = 0;
+  std::shared_ptr<const TableDescription> table = {};
+
+  Values or_table(TableDescription keys) && {
+    table = std::make_shared<const TableDescription>(std::move(keys));
+    return std::move(*this);
+  }
+};
+
+Values number(NumberRange range, std::string_view dimension = {}) {
+  return {ValueType::number, range, dimension};
+}
+Values numbers(NumberRange range, std::string_view dimension = {}) {
+  return {ValueType::numbers, range, dimension};
+}
+Values integer(std::uint64_t least, std::uint64_t most) {
+  return {.type = ValueType::integer, .least = least, .most = most};
+}
+Values truth() {
+  return {ValueType::truth};
+}
+Values text() {
+  return {ValueType::text};
+}
+Values texts() {
+  return {ValueType::texts};
+}
+Values choice(Names choices) {
+  return {.type = ValueType::choice, .choices = std::move(choices)};
+}
+Values choices(Names choices) {
+  return {.type = ValueType::choices, .choices = std::move(choices)};
+}
+Values some(Names choices) {
+  return {.type = ValueType::some, .choices = std::move(choices)};
+}
+Values vector(std::string_view dimension = {}) {
+  return {ValueType::vector, finite, dimension};
+}
+Values vectors(std::string_view dimension) {
+  return {ValueType::vectors, finite, dimension};
+}
+Values table(TableDescription keys) {
+  return Values{ValueType::table}.or_table(std::move(keys));
+}
+Values tables(TableDescription keys) {
+  return Values{ValueType::tables}.or_table(std::move(keys));
+}
+
+// A key that may be left out. Its meaning is a sentence without its full stop; the example, and the default
+// if it can be written, are values as in TOML.
+KeyDescription key(std::string_view name, Values values, std::string_view meaning,
+                   std::string_view example = {}, std::string_view default_value = {}) {
+  return {.name = name,
+          .type = values.type,
+          .range = values.range,
+          .least = values.least,
+          .most = values.most,
+          .choices = std::move(values.choices),
+          .dimension = values.dimension,
+          .default_value = default_value,
+          .meaning = meaning,
+          .example = example,
+          .table = std::move(values.table)};
+}
+
+KeyDescription required(std::string_view name, Values values, std::string_view meaning,
+                        std::string_view example = {}) {
+  KeyDescription required = key(name, std::move(values), meaning, example);
+  required.is_required = true;
+  return required;
+}
+
+// A key that goes with some choices of the table's first key.
+KeyDescription only_for(Names choices, KeyDescription key) {
+  key.only_for = std::move(choices);
+  return key;
 }
 
 // How a fixed surface reflects spheres.
 std::vector<KeyDescription> surface_keys() {
   return {
-      {.name = "restitution",
-       .range = fraction,
-       .meaning = "the restitution of contacts with it; that of `[response]` if not given",
-       .example = "0.8"},
-      {.name = "temperature",
-       .range = not_negative,
-       .dimension = "M L²/T²",
-       .meaning = "instead of `restitution`: a thermal wall, which spheres leave with velocities of this kT",
-       .example = "1.0"}};
+      key("restitution", number(fraction),
+          "the restitution of contacts with it; that of `[response]` if not given", "0.8"),
+      key("temperature", number(not_negative, "M L²/T²"),
+          "instead of `restitution`: a thermal wall, which spheres leave with velocities of this kT", "1.0")};
 }
 
 TableDescription faces_keys() {
   std::vector<KeyDescription> keys = surface_keys();
-  keys.push_back({.name = "velocity",
-                  .type = vector,
-                  .dimension = "L/T",
-                  .default_value = "[0.0, 0.0, 0.0]",
-                  .meaning =
-                      "its constant velocity, along the face: it drags spheres along if it is thermal, or if "
-                      "they are rough",
-                  .example = "[1.0, 0.0, 0.0]"});
-  const std::shared_ptr<const TableDescription> face = make({.title = "face", .keys = std::move(keys)});
+  keys.push_back(key(
+      "velocity", vector("L/T"),
+      "its constant velocity, along the face: it drags spheres along if it is thermal, or if they are rough",
+      "[1.0, 0.0, 0.0]", "[0.0, 0.0, 0.0]"));
+  const TableDescription face{.title = "face", .keys = std::move(keys)};
   constexpr std::array<std::string_view, kFaces> kMeanings{
       "the face at x = 0", "the face at the size along x",
       "the face at y = 0", "the face at the size along y",
       "the face at z = 0", "the face at the size along z"};
   TableDescription faces{.title = "[box.faces]", .keys = {}};
   for (Face number = 0; number < kFaces; ++number) {
-    faces.keys.push_back(
-        {.name = kFaceNames[number], .type = table, .meaning = kMeanings[number], .table = face});
+    faces.keys.push_back(key(kFaceNames[number], table(face), kMeanings[number]));
   }
   return faces;
 }
 
 TableDescription box_keys() {
-  return {
-      .title = "[box]",
-      .keys = {
-          {.name = "dimensions",
-           .type = integer,
-           .least = 2,
-           .most = 3,
-           .default_value = "3",
-           .meaning = "2 for discs in a plane: the spheres have z = 0. Then `boundary` and `size` are for x "
-                      "and y, vectors may have two numbers, and volumes are areas",
-           .example = "2"},
-          {.name = "boundary",
-           .type = choices,
-           .choices = {"wall", "periodic", "open"},
-           .is_required = true,
-           .meaning = "the boundaries of the box along x, y and z",
-           .example = R"(["wall", "wall", "wall"])"},
-          {.name = "size",
-           .type = numbers,
-           .range = positive,
-           .dimension = "L",
-           .meaning =
-               "edge lengths; the box spans 0 to size. Three numbers, or one for each axis that is not "
-               "open. For an open axis it only says where placement puts spheres",
-           .example = "[10.0, 10.0, 10.0]"},
-          {.name = "packing_fraction",
-           .range = positive,
-           .meaning = "instead of `size`: the fraction of the volume that the spheres fill; the box is a "
-                      "cube, in two dimensions a square, with the edge that follows",
-           .example = "0.3"},
-          {.name = "gravity",
-           .type = vector,
-           .dimension = "L/T²",
-           .default_value = "[0.0, 0.0, 0.0]",
-           .meaning = "the acceleration of every sphere",
-           .example = "[0.0, 0.0, -9.81]"},
-          {.name = "shear_rate",
-           .dimension = "1/T",
-           .default_value = "0.0",
-           .meaning = "how much the flow along x grows along y: images of the box above and below slide "
-                      "along x (Lees-Edwards boundaries). x and y must be periodic. Velocities that are "
-                      "drawn are relative to this flow",
-           .example = "0.1"},
-          {.name = "shear_offset",
-           .dimension = "L",
-           .default_value = "0.0",
-           .meaning = "the displacement of the image above along x at time zero, modulo the width of the "
-                      "box. If not given, it is the tilt of the box in a start file",
-           .example = "3.5"},
-          {.name = "faces",
-           .type = table,
-           .meaning = "properties of its faces that are walls",
-           .table = make(faces_keys())},
-      }};
+  return {.title = "[box]",
+          .keys = {
+              key("dimensions", integer(2, 3),
+                  "2 for discs in a plane: the spheres have z = 0. Then `boundary` and `size` are for x and "
+                  "y, vectors may have two numbers, and volumes are areas",
+                  "2", "3"),
+              required("boundary", choices({"wall", "periodic", "open"}),
+                       "the boundaries of the box along x, y and z", R"(["wall", "wall", "wall"])"),
+              key("size", numbers(positive, "L"),
+                  "edge lengths; the box spans 0 to size. Three numbers, or one for each axis that is not "
+                  "open. For an open axis it only says where placement puts spheres",
+                  "[10.0, 10.0, 10.0]"),
+              key("packing_fraction", number(positive),
+                  "instead of `size`: the fraction of the volume that the spheres fill; the box is a cube, "
+                  "in two dimensions a square, with the edge that follows",
+                  "0.3"),
+              key("gravity", vector("L/T²"), "the acceleration of every sphere", "[0.0, 0.0, -9.81]",
+                  "[0.0, 0.0, 0.0]"),
+              key("shear_rate", number(finite, "1/T"),
+                  "how much the flow along x grows along y: images of the box above and below slide along x "
+                  "(Lees-Edwards boundaries). x and y must be periodic. Velocities that are drawn are "
+                  "relative to this flow",
+                  "0.1", "0.0"),
+              key("shear_offset", number(finite, "L"),
+                  "the displacement of the image above along x at time zero, modulo the width of the box. If "
+                  "not given, it is the tilt of the box in a start file",
+                  "3.5", "0.0"),
+              key("faces", table(faces_keys()), "properties of its faces that are walls"),
+          }};
 }
 
 TableDescription radius_keys() {
-  return {
-      .title = "radius",
-      .keys = {
-          {.name = "distribution",
-           .type = choice,
-           .choices = {"uniform", "lognormal", "powerlaw", "discrete", "file"},
-           .is_required = true,
-           .meaning = "the kind of distribution",
-           .example = "\"uniform\""},
-          {.name = "min",
-           .range = positive,
-           .dimension = "L",
-           .is_required = true,
-           .meaning = "the smallest radius",
-           .example = "0.5",
-           .only_for = {"uniform", "powerlaw"}},
-          {.name = "max",
-           .range = positive,
-           .dimension = "L",
-           .is_required = true,
-           .meaning = "the largest radius",
-           .example = "1.0",
-           .only_for = {"uniform", "powerlaw"}},
-          {.name = "mean",
-           .range = positive,
-           .dimension = "L",
-           .is_required = true,
-           .meaning = "the mean radius of the distribution without `min` and `max`",
-           .example = "1.0",
-           .only_for = {"lognormal"}},
-          {.name = "sigma",
-           .range = positive,
-           .is_required = true,
-           .meaning = "the standard deviation of the natural logarithm of the radius",
-           .example = "0.25",
-           .only_for = {"lognormal"}},
-          {.name = "min",
-           .range = positive,
-           .dimension = "L",
-           .meaning = "smaller radii are rejected and redrawn",
-           .example = "0.5",
-           .only_for = {"lognormal"}},
-          {.name = "max",
-           .range = positive,
-           .dimension = "L",
-           .meaning = "larger radii are rejected and redrawn",
-           .example = "2.0",
-           .only_for = {"lognormal"}},
-          {.name = "exponent",
-           .is_required = true,
-           .meaning = "the density of radii is proportional to this power of the radius",
-           .example = "-2.5",
-           .only_for = {"powerlaw"}},
-          {.name = "values",
-           .type = numbers,
-           .range = positive,
-           .dimension = "L",
-           .is_required = true,
-           .meaning = "the radii",
-           .example = "[0.5, 1.0]",
-           .only_for = {"discrete"}},
-          {.name = "weights",
-           .type = numbers,
-           .range = positive,
-           .is_required = true,
-           .meaning = "how many spheres have each of the `values`, in proportion: exactly, up to less than "
-                      "one sphere",
-           .example = "[3.0, 1.0]",
-           .only_for = {"discrete"}},
-          {.name = "file",
-           .type = text,
-           .is_required = true,
-           .meaning =
-               "a text file with a radius [L] on each of `count` lines; its path is relative to the scenario",
-           .example = "\"radii.txt\"",
-           .only_for = {"file"}},
-      }};
+  return {.title = "radius",
+          .keys = {
+              required("distribution", choice({"uniform", "lognormal", "powerlaw", "discrete", "file"}),
+                       "the kind of distribution", "\"uniform\""),
+              only_for({"uniform", "powerlaw"},
+                       required("min", number(positive, "L"), "the smallest radius", "0.5")),
+              only_for({"uniform", "powerlaw"},
+                       required("max", number(positive, "L"), "the largest radius", "1.0")),
+              only_for({"lognormal"},
+                       required("mean", number(positive, "L"),
+                                "the mean radius of the distribution without `min` and `max`", "1.0")),
+              only_for({"lognormal"},
+                       required("sigma", number(positive),
+                                "the standard deviation of the natural logarithm of the radius", "0.25")),
+              only_for({"lognormal"},
+                       key("min", number(positive, "L"), "smaller radii are rejected and redrawn", "0.5")),
+              only_for({"lognormal"},
+                       key("max", number(positive, "L"), "larger radii are rejected and redrawn", "2.0")),
+              only_for({"powerlaw"},
+                       required("exponent", number(finite),
+                                "the density of radii is proportional to this power of the radius", "-2.5")),
+              only_for({"discrete"}, required("values", numbers(positive, "L"), "the radii", "[0.5, 1.0]")),
+              only_for({"discrete"}, required("weights", numbers(positive),
+                                              "how many spheres have each of the `values`, in proportion: "
+                                              "exactly, up to less than one sphere",
+                                              "[3.0, 1.0]")),
+              only_for({"file"}, required("file", text(),
+                                          "a text file with a radius [L] on each of `count` lines; its path "
+                                          "is relative to the scenario",
+                                          "\"radii.txt\"")),
+          }};
 }
 
 TableDescription mass_keys() {
   return {.title = "mass",
-          .keys = {{.name = "density",
-                    .range = positive,
-                    .dimension = "M/L³",
-                    .is_required = true,
-                    .meaning = "the density of the material: a sphere of radius r has the mass 4π/3 r³ times "
-                               "this, a disc π r² times this [M/L²]",
-                    .example = "2.0"}}};
+          .keys = {required("density", number(positive, "M/L³"),
+                            "the density of the material: a sphere of radius r has the mass 4π/3 r³ times "
+                            "this, a disc π r² times this [M/L²]",
+                            "2.0")}};
 }
 
 TableDescription spheres_keys() {
@@ -213,87 +211,41 @@ TableDescription spheres_keys() {
       .title = "[[spheres]]",
       .keys =
           {
-              {.name = "count",
-               .type = integer,
-               .least = 1,
-               .most = kMaxSpheres,
-               .meaning = "their number; may be left out where a list gives it",
-               .example = "1000"},
-              {.name = "packing_fraction",
-               .range = positive,
-               .meaning =
-                   "instead of `count`: the fraction of the volume of the box that these spheres fill, "
-                   "to the nearest whole number of them",
-               .example = "0.3"},
-              {.name = "radius",
-               .range = positive,
-               .dimension = "L",
-               .is_required = true,
-               .meaning = "their radius, or how their radii are distributed",
-               .example = "1.0",
-               .table = make(radius_keys())},
-              {.name = "mass",
-               .range = positive,
-               .dimension = "M",
-               .default_value = "1.0",
-               .meaning = "their mass, or the density from which their masses follow",
-               .example = "2.0",
-               .table = make(mass_keys())},
-              {.name = "placement",
-               .type = choice,
-               .choices = {"random", "fcc", "hexagonal"},
-               .meaning = "`\"random\"`: anywhere without overlap with each other and with spheres that are "
-                          "listed; beyond a packing fraction of 0.36 for equal spheres and 0.54 for equal "
-                          "discs they grow into place, up to .97 of the packing fraction at which they jam; "
-                          "`\"fcc\"`: on a face-centered cubic lattice that fills the box; "
-                          "`\"hexagonal\"`: on a hexagonal lattice, for discs",
-               .example = "\"random\""},
-              {.name = "positions",
-               .type = vectors,
-               .dimension = "L",
-               .meaning = "instead of `placement`: their centers",
-               .example = "[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]"},
-              {.name = "mean_speed",
-               .range = not_negative,
-               .dimension = "L/T",
-               .meaning = "Maxwell velocities with this mean of |v|",
-               .example = "1.0"},
-              {.name = "temperature",
-               .range = not_negative,
-               .dimension = "M L²/T²",
-               .meaning = "or: Maxwell velocities with this kT = m⟨v²⟩/3, in two dimensions m⟨v²⟩/2",
-               .example = "1.0"},
-              {.name = "speed",
-               .range = not_negative,
-               .dimension = "L/T",
-               .meaning = "or: this |v| in random directions",
-               .example = "1.0"},
-              {.name = "velocities",
-               .type = vectors,
-               .dimension = "L/T",
-               .meaning = "or: each velocity",
-               .example = "[[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]"},
-              {.name = "rotational_temperature",
-               .range = not_negative,
-               .dimension = "M L²/T²",
-               .default_value = "0.0",
-               .meaning = "normally distributed spins with this I⟨w²⟩/3, or I⟨w²⟩ in two dimensions",
-               .example = "1.0"},
-              {.name = "spins",
-               .type = vectors,
-               .dimension = "1/T",
-               .meaning = "instead of `rotational_temperature`: each angular velocity",
-               .example = "[[0.0, 0.0, 2.0], [0.0, 0.0, 0.0]]"},
-              {.name = "species",
-               .type = text,
-               .meaning = "the name of their species; the first of `[[species]]` if not given",
-               .example = "\"steel\""},
-              {.name = "kinematic",
-               .type = truth,
-               .default_value = "false",
-               .meaning = "whether their mass is infinite, so that no collision deflects them; two of these "
-                          "pass through each other",
-               .example = "true"},
+              key("count", integer(1, kMaxSpheres), "their number; may be left out where a list gives it",
+                  "1000"),
+              key("packing_fraction", number(positive),
+                  "instead of `count`: the fraction of the volume of the box that these spheres fill, to the "
+                  "nearest whole number of them",
+                  "0.3"),
+              required("radius", number(positive, "L").or_table(radius_keys()),
+                       "their radius, or how their radii are distributed", "1.0"),
+              key("mass", number(positive, "M").or_table(mass_keys()),
+                  "their mass, or the density from which their masses follow", "2.0", "1.0"),
+              key("placement", choice({"random", "fcc", "hexagonal"}),
+                  "`\"random\"`: anywhere without overlap with each other and with spheres that are listed; "
+                  "beyond a packing fraction of 0.36 for equal spheres and 0.54 for equal discs they grow "
+                  "into place, up to .97 of the packing fraction at which they jam; `\"fcc\"`: on a "
+                  "face-centered cubic lattice that fills the box; `\"hexagonal\"`: on a hexagonal lattice, "
+                  "for discs",
+                  "\"random\""),
+              key("positions", vectors("L"), "instead of `placement`: their centers",
+                  "[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]"),
+              key("mean_speed", number(not_negative, "L/T"), "Maxwell velocities with this mean of |v|",
+                  "1.0"),
+              key("temperature", number(not_negative, "M L²/T²"),
+                  "or: Maxwell velocities with this kT = m⟨v²⟩/3, in two dimensions m⟨v²⟩/2", "1.0"),
+              key("speed", number(not_negative, "L/T"), "or: this |v| in random directions", "1.0"),
+              key("velocities", vectors("L/T"), "or: each velocity", "[[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]"),
+              key("rotational_temperature", number(not_negative, "M L²/T²"),
+                  "normally distributed spins with this I⟨w²⟩/3, or I⟨w²⟩ in two dimensions", "1.0", "0.0"),
+              key("spins", vectors("1/T"), "instead of `rotational_temperature`: each angular velocity",
+                  "[[0.0, 0.0, 2.0], [0.0, 0.0, 0.0]]"),
+              key("species", text(), "the name of their species; the first of `[[species]]` if not given",
+                  "\"steel\""),
+              key("kinematic", truth(),
+                  "whether their mass is infinite, so that no collision deflects them; two of these pass "
+                  "through each other",
+                  "true", "false"),
           },
       .one_of = {{"placement", "positions"}, {"mean_speed", "temperature", "speed", "velocities"}},
   };
@@ -302,121 +254,76 @@ TableDescription spheres_keys() {
 TableDescription start_keys() {
   return {
       .title = "[start]",
-      .keys = {
-          {.name = "file",
-           .type = text,
-           .is_required = true,
-           .meaning = "a file with spheres, whose last frame is used: extended XYZ (`.xyz`), GSD (`.gsd`), "
-                      "LAMMPS dump (`.lammpstrj`), LAMMPS data file (`.data`), CSV (`.csv`), NumPy (`.npy`) "
-                      "or the format of Smallenburg's EDMD codes (`.sph`); text may be compressed (`.zst`); "
-                      "its path is relative to the scenario",
-           .example = "\"start.xyz\""},
-          {.name = "mean_speed",
-           .range = not_negative,
-           .dimension = "L/T",
-           .meaning = "for spheres that have no velocities, or are all at rest: Maxwell velocities with this "
-                      "mean of |v|",
-           .example = "1.0"},
-          {.name = "temperature",
-           .range = not_negative,
-           .dimension = "M L²/T²",
-           .meaning = "or: Maxwell velocities with this kT; masses that the file does not give are 1",
-           .example = "1.0"},
-          {.name = "shrink",
-           .type = truth,
-           .default_value = "false",
-           .meaning = "whether all radii are multiplied by the largest factor, up to 1, at which no spheres "
-                      "overlap and none reaches through a wall; the run prints the factor",
-           .example = "true"}}};
+      .keys = {required("file", text(),
+                        "a file with spheres, whose last frame is used: extended XYZ (`.xyz`), GSD (`.gsd`), "
+                        "LAMMPS dump (`.lammpstrj`), LAMMPS data file (`.data`), CSV (`.csv`), NumPy "
+                        "(`.npy`) or the format of Smallenburg's EDMD codes (`.sph`); text may be compressed "
+                        "(`.zst`); its path is relative to the scenario",
+                        "\"start.xyz\""),
+               key("mean_speed", number(not_negative, "L/T"),
+                   "for spheres that have no velocities, or are all at rest: Maxwell velocities with this "
+                   "mean of |v|",
+                   "1.0"),
+               key("temperature", number(not_negative, "M L²/T²"),
+                   "or: Maxwell velocities with this kT; masses that the file does not give are 1", "1.0"),
+               key("shrink", truth(),
+                   "whether all radii are multiplied by the largest factor, up to 1, at which no spheres "
+                   "overlap and none reaches through a wall; the run prints the factor",
+                   "true", "false")}};
 }
 
 TableDescription restitution_keys() {
-  return {.title = "restitution",
-          .keys = {
-              {.name = "law",
-               .type = choice,
-               .choices = {"viscoelastic", "tabulated"},
-               .is_required = true,
-               .meaning = "how the restitution depends on the impact speed, the normal relative speed before "
-                          "the contact",
-               .example = "\"viscoelastic\""},
-              {.name = "value",
-               .range = fraction,
-               .is_required = true,
-               .meaning = "the restitution at the impact speed `speed`; slower impacts are more elastic",
-               .example = "0.8",
-               .only_for = {"viscoelastic"}},
-              {.name = "speed",
-               .range = positive,
-               .dimension = "L/T",
-               .is_required = true,
-               .meaning = "an impact speed",
-               .example = "1.0",
-               .only_for = {"viscoelastic"}},
-              {.name = "speeds",
-               .type = numbers,
-               .range = not_negative,
-               .dimension = "L/T",
-               .is_required = true,
-               .meaning = "increasing impact speeds; between two the restitution is linear",
-               .example = "[0.0, 1.0, 10.0]",
-               .only_for = {"tabulated"}},
-              {.name = "values",
-               .type = numbers,
-               .range = fraction,
-               .is_required = true,
-               .meaning = "the restitution at each of the `speeds`",
-               .example = "[1.0, 0.9, 0.6]",
-               .only_for = {"tabulated"}},
-          }};
+  return {
+      .title = "restitution",
+      .keys = {
+          required(
+              "law", choice({"viscoelastic", "tabulated"}),
+              "how the restitution depends on the impact speed, the normal relative speed before the contact",
+              "\"viscoelastic\""),
+          only_for({"viscoelastic"},
+                   required("value", number(fraction),
+                            "the restitution at the impact speed `speed`; slower impacts are more elastic",
+                            "0.8")),
+          only_for({"viscoelastic"}, required("speed", number(positive, "L/T"), "an impact speed", "1.0")),
+          only_for({"tabulated"}, required("speeds", numbers(not_negative, "L/T"),
+                                           "increasing impact speeds; between two the restitution is linear",
+                                           "[0.0, 1.0, 10.0]")),
+          only_for({"tabulated"}, required("values", numbers(fraction),
+                                           "the restitution at each of the `speeds`", "[1.0, 0.9, 0.6]")),
+      }};
 }
 
 // How bodies bounce off each other.
 std::vector<KeyDescription> bounce_keys() {
-  return {
-      {.name = "restitution",
-       .range = fraction,
-       .meaning =
-           "the ratio of normal speeds after and before a contact, 1 being elastic, or how it depends on "
-           "the impact speed",
-       .example = "0.9",
-       .table = make(restitution_keys())},
-      {.name = "elastic_below",
-       .range = not_negative,
-       .dimension = "L/T",
-       .meaning = "impacts slower than this are elastic; under gravity a sphere pressed against a surface "
-                  "leaves it with at least a tenth of this speed",
-       .example = "0.01"},
-      {.name = "contact_duration",
-       .range = not_negative,
-       .dimension = "T",
-       .meaning = "a contact is elastic if the motion of one of the spheres changed within this time before "
-                  "it: the TC model, which prevents inelastic collapse",
-       .example = "1e-5"},
-      {.name = "tangential_restitution",
-       .range = signed_fraction,
-       .meaning = "for rough spheres, whose spins change at contacts: minus the ratio of the tangential "
-                  "velocities of the surfaces after and before a contact; 1 is perfectly rough, -1 smooth",
-       .example = "0.5"}};
+  return {key("restitution", number(fraction).or_table(restitution_keys()),
+              "the ratio of normal speeds after and before a contact, 1 being elastic, or how it depends on "
+              "the impact speed",
+              "0.9"),
+          key("elastic_below", number(not_negative, "L/T"),
+              "impacts slower than this are elastic; under gravity a sphere pressed against a surface leaves "
+              "it with at least a tenth of this speed",
+              "0.01"),
+          key("contact_duration", number(not_negative, "T"),
+              "a contact is elastic if the motion of one of the spheres changed within this time before it: "
+              "the TC model, which prevents inelastic collapse",
+              "1e-5"),
+          key("tangential_restitution", number(signed_fraction),
+              "for rough spheres, whose spins change at contacts: minus the ratio of the tangential "
+              "velocities of the surfaces after and before a contact; 1 is perfectly rough, -1 smooth",
+              "0.5")};
 }
 
 TableDescription pairs_keys() {
   TableDescription table{
       .title = "[[response.pairs]]",
       .keys = {
-          {.name = "kind",
-           .type = choice,
-           .choices = {"bounce", "merge", "pass"},
-           .is_required = true,
-           .meaning = "what spheres of these species do when they touch: bounce, merge into one, or pass "
-                      "through each other",
-           .example = "\"bounce\""},
-          {.name = "between",
-           .type = texts,
-           .is_required = true,
-           .meaning =
-               "two species, which may be the same, or a species and `\"wall\"`, which means all walls",
-           .example = R"(["steel", "glass"])"}}};
+          required("kind", choice({"bounce", "merge", "pass"}),
+                   "what spheres of these species do when they touch: bounce, merge into one, or pass "
+                   "through each other",
+                   "\"bounce\""),
+          required("between", texts(),
+                   "two species, which may be the same, or a species and `\"wall\"`, which means all walls",
+                   R"(["steel", "glass"])")}};
   for (KeyDescription key : bounce_keys()) {
     key.only_for = {"bounce"};
     table.keys.push_back(std::move(key));
@@ -427,105 +334,59 @@ TableDescription pairs_keys() {
 TableDescription response_keys() {
   TableDescription table{.title = "[response]", .keys = bounce_keys()};
   table.keys.front().default_value = "1.0";
-  table.keys.push_back({.name = "kind",
-                        .type = choice,
-                        .choices = {"bounce", "merge"},
-                        .default_value = "\"bounce\"",
-                        .meaning =
-                            "what spheres do when they touch: bounce, or merge into one with the mass, "
-                            "momentum, angular momentum and volume of both; at walls they bounce",
-                        .example = "\"merge\""});
+  table.keys.push_back(key("kind", choice({"bounce", "merge"}),
+                           "what spheres do when they touch: bounce, or merge into one with the mass, "
+                           "momentum, angular momentum and volume of both; at walls they bounce",
+                           "\"merge\"", "\"bounce\""));
   table.keys.push_back(
-      {.name = "settle",
-       .type = truth,
-       .meaning = "whether spheres come to rest in a heap. Unless `contact_duration` is given, a contact is "
-                  "then elastic if it follows another within a hundredth of √(d / g), d being the smaller "
-                  "diameter. When all spheres are at rest, the run only waits for its end. If not given, "
-                  "true where spheres that lose energy fall on something and are not driven",
-       .example = "false"});
-  table.keys.push_back(
-      {.name = "pairs",
-       .type = tables,
-       .meaning = "rules for pairs of species; keys that they leave out are those of `[response]`",
-       .table = make(pairs_keys())});
+      key("settle", truth(),
+          "whether spheres come to rest in a heap. Unless `contact_duration` is given, a contact is then "
+          "elastic if it follows another within a hundredth of √(d / g), d being the smaller diameter. When "
+          "all spheres are at rest, the run only waits for its end. If not given, true where spheres that "
+          "lose energy fall on something and are not driven",
+          "false"));
+  table.keys.push_back(key("pairs", tables(pairs_keys()),
+                           "rules for pairs of species; keys that they leave out are those of `[response]`"));
   return table;
 }
 
 TableDescription species_keys() {
-  return {.title = "[[species]]",
-          .keys = {{.name = "name",
-                    .type = text,
-                    .is_required = true,
-                    .meaning = "its name, by which `[[spheres]]` and `[[response.pairs]]` refer to it",
-                    .example = "\"steel\""},
-                   {.name = "moment",
-                    .range = positive,
-                    .meaning = "the moment of inertia of its spheres over mass and squared radius: 2/5 for "
-                               "uniform spheres and 1/2 for uniform discs, if not given; 2/3 for shells",
-                    .example = "0.4"}}};
+  return {
+      .title = "[[species]]",
+      .keys = {required("name", text(),
+                        "its name, by which `[[spheres]]` and `[[response.pairs]]` refer to it", "\"steel\""),
+               key("moment", number(positive),
+                   "the moment of inertia of its spheres over mass and squared radius: 2/5 for uniform "
+                   "spheres and 1/2 for uniform discs, if not given; 2/3 for shells",
+                   "0.4")}};
 }
 
 TableDescription walls_keys() {
   std::vector<KeyDescription> keys{
-      {.name = "shape",
-       .type = choice,
-       .choices = {"plane", "cylinder", "sphere", "cone"},
-       .is_required = true,
-       .meaning = "its shape; the spheres are inside a cylinder, a sphere or a cone",
-       .example = "\"plane\""},
-      {.name = "point",
-       .type = vector,
-       .dimension = "L",
-       .is_required = true,
-       .meaning =
-           "a point of the plane, a point on the axis of the cylinder, the center of the sphere, or the "
-           "apex of the cone",
-       .example = "[5.0, 5.0, 5.0]"},
-      {.name = "normal",
-       .type = vector,
-       .is_required = true,
-       .meaning = "a vector of any length that points from the plane to the side where the spheres are",
-       .example = "[0.0, 0.0, 1.0]",
-       .only_for = {"plane"}},
-      {.name = "axis",
-       .type = vector,
-       .is_required = true,
-       .meaning = "a vector of any length along the axis; of a cone, from the apex into it",
-       .example = "[0.0, 0.0, 1.0]",
-       .only_for = {"cylinder", "cone"}},
-      {.name = "radius",
-       .range = positive,
-       .dimension = "L",
-       .is_required = true,
-       .meaning = "its radius",
-       .example = "4.0",
-       .only_for = {"cylinder", "sphere"}},
-      {.name = "slope",
-       .range = positive,
-       .is_required = true,
-       .meaning = "its radius over the distance from its apex",
-       .example = "0.5",
-       .only_for = {"cone"}},
-      {.name = "velocity",
-       .type = vector,
-       .dimension = "L/T",
-       .default_value = "[0.0, 0.0, 0.0]",
-       .meaning = "its constant velocity",
-       .example = "[0.0, 0.0, 0.1]"},
-      {.name = "amplitude",
-       .range = positive,
-       .dimension = "L",
-       .meaning = "together with `frequency`, instead of `velocity`: at time t the plane is displaced along "
-                  "its normal by "
-                  "amplitude · sin(2π · frequency · t)",
-       .example = "0.1",
-       .only_for = {"plane"}},
-      {.name = "frequency",
-       .range = positive,
-       .dimension = "1/T",
-       .meaning = "the frequency of this oscillation",
-       .example = "2.0",
-       .only_for = {"plane"}},
+      required("shape", choice({"plane", "cylinder", "sphere", "cone"}),
+               "its shape; the spheres are inside a cylinder, a sphere or a cone", "\"plane\""),
+      required("point", vector("L"),
+               "a point of the plane, a point on the axis of the cylinder, the center of the sphere, or the "
+               "apex of the cone",
+               "[5.0, 5.0, 5.0]"),
+      only_for({"plane"},
+               required("normal", vector(),
+                        "a vector of any length that points from the plane to the side where the spheres are",
+                        "[0.0, 0.0, 1.0]")),
+      only_for({"cylinder", "cone"},
+               required("axis", vector(),
+                        "a vector of any length along the axis; of a cone, from the apex into it",
+                        "[0.0, 0.0, 1.0]")),
+      only_for({"cylinder", "sphere"}, required("radius", number(positive, "L"), "its radius", "4.0")),
+      only_for({"cone"},
+               required("slope", number(positive), "its radius over the distance from its apex", "0.5")),
+      key("velocity", vector("L/T"), "its constant velocity", "[0.0, 0.0, 0.1]", "[0.0, 0.0, 0.0]"),
+      only_for({"plane"}, key("amplitude", number(positive, "L"),
+                              "together with `frequency`, instead of `velocity`: at time t the plane is "
+                              "displaced along its normal by amplitude · sin(2π · frequency · t)",
+                              "0.1")),
+      only_for({"plane"},
+               key("frequency", number(positive, "1/T"), "the frequency of this oscillation", "2.0")),
   };
   for (const KeyDescription& key : surface_keys()) keys.push_back(key);
   return {.title = "[[walls]]", .keys = keys};
@@ -533,337 +394,184 @@ TableDescription walls_keys() {
 
 TableDescription obstacles_keys() {
   std::vector<KeyDescription> keys{
-      {.name = "position",
-       .type = vector,
-       .dimension = "L",
-       .meaning = "the center of an obstacle",
-       .example = "[5.0, 5.0, 5.0]"},
-      {.name = "positions",
-       .type = vectors,
-       .dimension = "L",
-       .meaning = "instead of `position`: the centers of several identical obstacles",
-       .example = "[[3.0, 5.0, 5.0], [7.0, 5.0, 5.0]]"},
-      {.name = "radius",
-       .range = positive,
-       .dimension = "L",
-       .is_required = true,
-       .meaning = "their radius",
-       .example = "1.0"}};
+      key("position", vector("L"), "the center of an obstacle", "[5.0, 5.0, 5.0]"),
+      key("positions", vectors("L"), "instead of `position`: the centers of several identical obstacles",
+          "[[3.0, 5.0, 5.0], [7.0, 5.0, 5.0]]"),
+      required("radius", number(positive, "L"), "their radius", "1.0")};
   for (const KeyDescription& key : surface_keys()) keys.push_back(key);
   return {.title = "[[obstacles]]", .keys = keys, .one_of = {{"position", "positions"}}};
 }
 
 KeyDescription steps_key(std::string_view meaning) {
-  const std::shared_ptr<const TableDescription> step = make(
-      {.title = "steps",
-       .keys = {
-           {.name = "ratio",
-            .range = positive,
-            .is_required = true,
-            .meaning = "the distance of the centers at which the step is, over the sum of the radii",
-            .example = "1.5"},
-           {.name = "energy",
-            .dimension = "M L²/T²",
-            .is_required = true,
-            .meaning = "the energy of two spheres between this step and the next one inward, or the core",
-            .example = "-1.0"}}});
-  return {.name = "steps", .type = tables, .meaning = meaning, .table = step};
+  const TableDescription step{
+      .title = "steps",
+      .keys = {required("ratio", number(positive),
+                        "the distance of the centers at which the step is, over the sum of the radii", "1.5"),
+               required("energy", number(finite, "M L²/T²"),
+                        "the energy of two spheres between this step and the next one inward, or the core",
+                        "-1.0")}};
+  return key("steps", tables(step), meaning);
 }
 
 KeyDescription core_key() {
-  return {.name = "core",
-          .range = not_negative,
-          .default_value = "1.0",
-          .meaning =
-              "the distance at which the spheres bounce off each other, over the sum of the radii; zero "
-              "if they may take the same place",
-          .example = "0.0"};
+  return key("core", number(not_negative),
+             "the distance at which the spheres bounce off each other, over the sum of the radii; zero if "
+             "they may take the same place",
+             "0.0", "1.0");
 }
 
 TableDescription potentials_keys() {
   KeyDescription steps = steps_key("its steps, from the inside to the outside");
   steps.is_required = true;
-  return {
-      .title = "[[potentials]]",
-      .keys = {
-          {.name = "between",
-           .type = texts,
-           .meaning =
-               "two species, which may be the same; if not given, all pairs that no other potential names",
-           .example = R"(["oil", "water"])"},
-          steps,
-          core_key()}};
+  return {.title = "[[potentials]]",
+          .keys = {
+              key("between", texts(),
+                  "two species, which may be the same; if not given, all pairs that no other potential names",
+                  R"(["oil", "water"])"),
+              steps, core_key()}};
 }
 
 TableDescription bonds_keys() {
   return {
       .title = "[[bonds]]",
-      .keys = {{.name = "between",
-                .type = numbers,
-                .range = not_negative,
-                .meaning = "the ids of two spheres that are tied together",
-                .example = "[3, 17]"},
-               {.name = "chain",
-                .type = numbers,
-                .range = not_negative,
-                .meaning = "the first and the last id of spheres of which each is tied to the next",
-                .example = "[0, 63]"},
-               {.name = "file",
-                .type = text,
-                .meaning = "a text file with two ids on each line; its path is relative to the scenario",
-                .example = "\"bonds.txt\""},
-               {.name = "beads",
-                .type = integer,
-                .least = 2,
-                .most = std::numeric_limits<SphereId>::max() - 1,
-                .meaning = "with `chain`: the number of spheres in each of the chains into which it is cut",
-                .example = "16"},
-               {.name = "longest",
-                .range = positive,
-                .is_required = true,
-                .meaning = "the greatest distance of the centers, over the sum of the radii",
-                .example = "1.2"},
+      .keys = {key("between", numbers(not_negative), "the ids of two spheres that are tied together",
+                   "[3, 17]"),
+               key("chain", numbers(not_negative),
+                   "the first and the last id of spheres of which each is tied to the next", "[0, 63]"),
+               key("file", text(),
+                   "a text file with two ids on each line; its path is relative to the scenario",
+                   "\"bonds.txt\""),
+               key("beads", integer(2, std::numeric_limits<SphereId>::max() - 1),
+                   "with `chain`: the number of spheres in each of the chains into which it is cut", "16"),
+               required("longest", number(positive),
+                        "the greatest distance of the centers, over the sum of the radii", "1.2"),
                core_key(),
-               steps_key("steps within the bond, from the inside to the outside; beyond them the energy "
-                         "is zero")},
+               steps_key(
+                   "steps within the bond, from the inside to the outside; beyond them the energy is zero")},
       .one_of = {{"between", "chain", "file"}}};
 }
 
 TableDescription thermostat_keys() {
   return {
       .title = "[thermostat]",
-      .keys = {{.name = "kind",
-                .type = choice,
-                .choices = {"andersen", "rescale", "heating"},
-                .is_required = true,
-                .meaning = "`\"andersen\"`: each sphere gets a new velocity from Maxwell's distribution at "
-                           "random times of its own; `\"rescale\"`: all velocities are scaled; "
-                           "`\"heating\"`: all velocities get random kicks",
-                .example = "\"andersen\""},
-               {.name = "temperature",
-                .range = positive,
-                .dimension = "M L²/T²",
-                .is_required = true,
-                .meaning = "the kT of the thermostat",
-                .example = "1.0",
-                .only_for = {"andersen", "rescale"}},
-               {.name = "rate",
-                .range = positive,
-                .dimension = "1/T",
-                .is_required = true,
-                .meaning = "how often a sphere gets a new velocity, on average",
-                .example = "0.5",
-                .only_for = {"andersen"}},
-               {.name = "strength",
-                .range = positive,
-                .dimension = "L²/T³",
-                .is_required = true,
-                .meaning = "how fast the kicks raise the mean square of each component of the velocities",
-                .example = "0.1",
-                .only_for = {"heating"}},
-               {.name = "every",
-                .range = positive,
-                .dimension = "T",
-                .is_required = true,
-                .meaning = "the time between two actions on all spheres",
-                .example = "0.1",
-                .only_for = {"rescale", "heating"}},
-               {.name = "slabs",
-                .type = integer,
-                .least = 1,
-                .most = 10000,
-                .meaning = "the number of slabs across y, each of which keeps its mean velocity: velocities "
-                           "are scaled relative to it, whatever the profile of the flow. If not given, they "
-                           "are scaled relative to the mean of all spheres and to the flow of the box",
-                .example = "10",
-                .only_for = {"rescale"}}}};
+      .keys = {
+          required("kind", choice({"andersen", "rescale", "heating"}),
+                   "`\"andersen\"`: each sphere gets a new velocity from Maxwell's distribution at random "
+                   "times of its own; `\"rescale\"`: all velocities are scaled; `\"heating\"`: all "
+                   "velocities get random kicks",
+                   "\"andersen\""),
+          only_for({"andersen", "rescale"},
+                   required("temperature", number(positive, "M L²/T²"), "the kT of the thermostat", "1.0")),
+          only_for({"andersen"}, required("rate", number(positive, "1/T"),
+                                          "how often a sphere gets a new velocity, on average", "0.5")),
+          only_for({"heating"},
+                   required("strength", number(positive, "L²/T³"),
+                            "how fast the kicks raise the mean square of each component of the velocities",
+                            "0.1")),
+          only_for({"rescale", "heating"}, required("every", number(positive, "T"),
+                                                    "the time between two actions on all spheres", "0.1")),
+          only_for({"rescale"},
+                   key("slabs", integer(1, 10000),
+                       "the number of slabs across y, each of which keeps its mean velocity: velocities are "
+                       "scaled relative to it, whatever the profile of the flow. If not given, they are "
+                       "scaled relative to the mean of all spheres and to the flow of the box",
+                       "10"))}};
 }
 
 TableDescription growth_keys() {
-  return {.title = "[growth]",
-          .keys = {
-              {.name = "rate",
-               .default_value = "0.01",
-               .meaning =
-                   "the rate at which the mean diameter grows, over the thermal speed √(kT/m); negative if "
-                   "the spheres shrink",
-               .example = "0.01"},
-              {.name = "packing_fraction",
-               .range = positive,
-               .meaning = "the fraction of the volume at which growth ends; spheres that shrink "
-                          "need it; if not given, growth ends where the largest sphere just fits the box and "
-                          "its walls, or by `compressibility`",
-               .example = "0.6"},
-              {.name = "compressibility",
-               .range = positive,
-               .meaning = "PV/NkT, averaged over some collisions, beyond which growth ends",
-               .example = "1e4"}}};
+  return {
+      .title = "[growth]",
+      .keys = {
+          key("rate", number(finite),
+              "the rate at which the mean diameter grows, over the thermal speed √(kT/m); negative if the "
+              "spheres shrink",
+              "0.01", "0.01"),
+          key("packing_fraction", number(positive),
+              "the fraction of the volume at which growth ends; spheres that shrink need it; if not given, "
+              "growth ends where the largest sphere just fits the box and its walls, or by `compressibility`",
+              "0.6"),
+          key("compressibility", number(positive),
+              "PV/NkT, averaged over some collisions, beyond which growth ends", "1e4")}};
 }
 
 TableDescription run_keys() {
   return {.title = "[run]",
-          .keys = {{.name = "until",
-                    .range = not_negative,
-                    .dimension = "T",
-                    .meaning = "when the run ends; `--until` takes precedence",
-                    .example = "10.0"},
-                   {.name = "seed",
-                    .type = integer,
-                    .least = 0,
-                    .most = std::numeric_limits<std::int64_t>::max(),
-                    .default_value = "1",
-                    .meaning = "the seed of the random numbers for radii, placement, velocities and the "
-                               "thermostat; `--seed` takes precedence",
-                    .example = "1"}}};
+          .keys = {key("until", number(not_negative, "T"), "when the run ends; `--until` takes precedence",
+                       "10.0"),
+                   key("seed", integer(0, std::numeric_limits<std::int64_t>::max()),
+                       "the seed of the random numbers for radii, placement, velocities and the thermostat; "
+                       "`--seed` takes precedence",
+                       "1", "1")}};
 }
 
 TableDescription output_keys() {
   return {
       .title = "[output]",
       .keys = {
-          {.name = "directory",
-           .type = text,
-           .meaning =
-               "the directory of the files; `--out` takes precedence; without either, no files are written",
-           .example = "\"out\""},
-          {.name = "snapshots_every",
-           .range = positive,
-           .dimension = "T",
-           .meaning = "interval of the snapshots in the trajectory; none are taken unless this, "
-                      "`snapshots_per_decade` or `snapshots_every_contacts` is given",
-           .example = "0.5"},
-          {.name = "snapshots_per_decade",
-           .type = integer,
-           .least = 1,
-           .most = 1000,
-           .meaning = "or: how many snapshots are taken while the time grows tenfold, evenly in its "
-                      "logarithm, from `first_snapshot` on",
-           .example = "10"},
-          {.name = "first_snapshot",
-           .range = positive,
-           .dimension = "T",
-           .meaning = "goes with `snapshots_per_decade`: the time of the first snapshot after that "
-                      "of the start",
-           .example = "0.001"},
-          {.name = "snapshots_every_contacts",
-           .type = integer,
-           .least = 1,
-           .most = std::numeric_limits<std::int64_t>::max(),
-           .meaning = "or: how many collisions and wall contacts lie between two snapshots",
-           .example = "10000"},
-          {.name = "trajectory",
-           .type = some,
-           .choices = {"xyz", "xyz.zst", "gsd", "lammps", "vtp"},
-           .default_value = "\"xyz\"",
-           .meaning = "the format of the trajectory: `trajectory.xyz`, `trajectory.xyz.zst`, "
-                      "`trajectory.gsd`, `trajectory.lammpstrj` or `trajectory.pvd`",
-           .example = "\"gsd\""},
-          {.name = "event_log",
-           .type = truth,
-           .default_value = "false",
-           .meaning = "whether to write `events.npy`",
-           .example = "true"},
-          {.name = "recording",
-           .type = truth,
-           .default_value = "false",
-           .meaning = "whether to write `recording.hbr`, for the [viewer](viewer.md)",
-           .example = "true"},
-          {.name = "checkpoint_every",
-           .range = positive,
-           .default_value = "60.0",
-           .meaning = "seconds of wall time between checkpoints, from which `hardball resume` resumes",
-           .example = "600"},
-          {.name = "checkpoint_at",
-           .type = numbers,
-           .dimension = "T",
-           .meaning = "times at which a checkpoint is also written; each is kept as `checkpoints/T.hbc`",
-           .example = "[10.0, 100.0]"},
-          {.name = "report",
-           .type = truth,
-           .default_value = "true",
-           .meaning = "whether to write `report.html`",
-           .example = "false"}}};
+          key("directory", text(),
+              "the directory of the files; `--out` takes precedence; without either, no files are written",
+              "\"out\""),
+          key("snapshots_every", number(positive, "T"),
+              "interval of the snapshots in the trajectory; none are taken unless this, "
+              "`snapshots_per_decade` or `snapshots_every_contacts` is given",
+              "0.5"),
+          key("snapshots_per_decade", integer(1, 1000),
+              "or: how many snapshots are taken while the time grows tenfold, evenly in its logarithm, from "
+              "`first_snapshot` on",
+              "10"),
+          key("first_snapshot", number(positive, "T"),
+              "goes with `snapshots_per_decade`: the time of the first snapshot after that of the start",
+              "0.001"),
+          key("snapshots_every_contacts", integer(1, std::numeric_limits<std::int64_t>::max()),
+              "or: how many collisions and wall contacts lie between two snapshots", "10000"),
+          key("trajectory", some({"xyz", "xyz.zst", "gsd", "lammps", "vtp"}),
+              "the format of the trajectory: `trajectory.xyz`, `trajectory.xyz.zst`, `trajectory.gsd`, "
+              "`trajectory.lammpstrj` or `trajectory.pvd`",
+              "\"gsd\"", "\"xyz\""),
+          key("event_log", truth(), "whether to write `events.npy`", "true", "false"),
+          key("recording", truth(), "whether to write `recording.hbr`, for the [viewer](viewer.md)", "true",
+              "false"),
+          key("checkpoint_every", number(positive),
+              "seconds of wall time between checkpoints, from which `hardball resume` resumes", "600",
+              "60.0"),
+          key("checkpoint_at", numbers(finite, "T"),
+              "times at which a checkpoint is also written; each is kept as `checkpoints/T.hbc`",
+              "[10.0, 100.0]"),
+          key("report", truth(), "whether to write `report.html`", "false", "true")}};
 }
 
 TableDescription measures_keys() {
   std::vector<std::string_view> known{"all"};
   known.insert(known.end(), measure_names().begin(), measure_names().end());
   return {.title = "[measures]",
-          .keys = {{.name = "names",
-                    .type = choices,
-                    .choices = known,
-                    .default_value = R"(["all"])",
-                    .meaning = "the measures to take, see [measures.md](measures.md); `[]` for none",
-                    .example = R"(["pressure", "collision_rate"])"},
-                   {.name = "every",
-                    .range = positive,
-                    .dimension = "T",
-                    .meaning = "the time between samples; if not given, each measure has its own",
-                    .example = "0.5"},
-                   {.name = "from",
-                    .range = not_negative,
-                    .dimension = "T",
-                    .default_value = "0.0",
-                    .meaning = "when measuring starts",
-                    .example = "2.0"}}};
+          .keys = {key("names", choices(known),
+                       "the measures to take, see [measures.md](measures.md); `[]` for none",
+                       R"(["pressure", "collision_rate"])", R"(["all"])"),
+                   key("every", number(positive, "T"),
+                       "the time between samples; if not given, each measure has its own", "0.5"),
+                   key("from", number(not_negative, "T"), "when measuring starts", "2.0", "0.0")}};
 }
 
 TableDescription all_keys() {
   return {.title = "",
-          .keys = {{.name = "box",
-                    .type = table,
-                    .is_required = true,
-                    .meaning = "the space in which the spheres move",
-                    .table = make(box_keys())},
-                   {.name = "spheres",
-                    .type = tables,
-                    .meaning = "groups of spheres, in the order of ids",
-                    .table = make(spheres_keys())},
-                   {.name = "start",
-                    .type = table,
-                    .meaning = "instead of `[[spheres]]`: a state to start from",
-                    .table = make(start_keys())},
-                   {.name = "walls",
-                    .type = tables,
-                    .meaning = "walls besides those of the box: planes, cylinders, spheres and cones",
-                    .table = make(walls_keys())},
-                   {.name = "obstacles",
-                    .type = tables,
-                    .meaning = "spheres that never move",
-                    .table = make(obstacles_keys())},
-                   {.name = "species",
-                    .type = tables,
-                    .meaning = "kinds of spheres, if contacts depend on them",
-                    .table = make(species_keys())},
-                   {.name = "response",
-                    .type = table,
-                    .meaning = "what contacts do",
-                    .table = make(response_keys())},
-                   {.name = "potentials",
-                    .type = tables,
-                    .meaning = "potentials of steps: wells, shoulders, sticky spheres; see steps.md",
-                    .table = make(potentials_keys())},
-                   {.name = "bonds",
-                    .type = tables,
-                    .meaning = "spheres that are tied together: tethers and chains; see steps.md",
-                    .table = make(bonds_keys())},
-                   {.name = "thermostat",
-                    .type = table,
-                    .meaning = "a thermostat, which exchanges energy with the spheres between contacts",
-                    .table = make(thermostat_keys())},
-                   {.name = "growth",
-                    .type = table,
-                    .meaning = "how all spheres grow, or shrink",
-                    .table = make(growth_keys())},
-                   {.name = "run", .type = table, .meaning = "the run", .table = make(run_keys())},
-                   {.name = "output",
-                    .type = table,
-                    .meaning = "which files are written, and where",
-                    .table = make(output_keys())},
-                   {.name = "measures",
-                    .type = table,
-                    .meaning = "the measures to take, and when",
-                    .table = make(measures_keys())}},
+          .keys = {required("box", table(box_keys()), "the space in which the spheres move"),
+                   key("spheres", tables(spheres_keys()), "groups of spheres, in the order of ids"),
+                   key("start", table(start_keys()), "instead of `[[spheres]]`: a state to start from"),
+                   key("walls", tables(walls_keys()),
+                       "walls besides those of the box: planes, cylinders, spheres and cones"),
+                   key("obstacles", tables(obstacles_keys()), "spheres that never move"),
+                   key("species", tables(species_keys()), "kinds of spheres, if contacts depend on them"),
+                   key("response", table(response_keys()), "what contacts do"),
+                   key("potentials", tables(potentials_keys()),
+                       "potentials of steps: wells, shoulders, sticky spheres; see steps.md"),
+                   key("bonds", tables(bonds_keys()),
+                       "spheres that are tied together: tethers and chains; see steps.md"),
+                   key("thermostat", table(thermostat_keys()),
+                       "a thermostat, which exchanges energy with the spheres between contacts"),
+                   key("growth", table(growth_keys()), "how all spheres grow, or shrink"),
+                   key("run", table(run_keys()), "the run"),
+                   key("output", table(output_keys()), "which files are written, and where"),
+                   key("measures", table(measures_keys()), "the measures to take, and when")},
           .one_of = {{"spheres", "start"}}};
 }
 
@@ -892,6 +600,7 @@ std::string range_of(const KeyDescription& key, const std::string& noun) {
 }
 
 std::string type_of(const KeyDescription& key) {
+  using enum ValueType;
   switch (key.type) {
     case number:
       return range_of(key, "number");
@@ -953,7 +662,7 @@ const TableDescription& scenario_keys() {
 
 std::string values_of(const KeyDescription& key) {
   std::string text = type_of(key);
-  if (key.table && key.type != table && key.type != tables) text += ", or a table";
+  if (key.table && key.type != ValueType::table && key.type != ValueType::tables) text += ", or a table";
   if (!key.dimension.empty()) text += " [" + std::string(key.dimension) + "]";
   return text;
 }

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/scenario/read_potentials.hpp"
+#include "hardball/scenario/read_tables.hpp"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/scenario/read_response.hpp"
 #include "hardball/scenario/sphere_id.hpp"
 
 namespace hardball {

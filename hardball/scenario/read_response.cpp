@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/scenario/read_response.hpp"
+#include "hardball/scenario/read_tables.hpp"
 
 #include <algorithm>
 #include <array>

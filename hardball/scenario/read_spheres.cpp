@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/scenario/read_spheres.hpp"
+#include "hardball/scenario/read_tables.hpp"
 
 #include <array>
 #include <string>
@@ -8,7 +8,6 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/scenario/density.hpp"
-#include "hardball/scenario/read_response.hpp"
 
 namespace hardball {
 namespace {

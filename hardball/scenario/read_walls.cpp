@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/scenario/read_walls.hpp"
+#include "hardball/scenario/read_tables.hpp"
 
 #include <cmath>
 #include <string>

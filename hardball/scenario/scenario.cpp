@@ -13,10 +13,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/scenario/document.hpp"
-#include "hardball/scenario/read_potentials.hpp"
-#include "hardball/scenario/read_response.hpp"
-#include "hardball/scenario/read_spheres.hpp"
-#include "hardball/scenario/read_walls.hpp"
+#include "hardball/scenario/read_tables.hpp"
 #include "hardball/scenario/section.hpp"
 
 namespace hardball {

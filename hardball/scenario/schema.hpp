@@ -4,10 +4,12 @@
 
 #include <string>
 
+#include "hardball/errors/export.hpp"
+
 namespace hardball {
 
 /// A JSON Schema (draft 7) of scenario files, with which editors complete keys, describe them and mark
 /// mistakes.
-std::string scenario_schema();
+HARDBALL_EXPORT std::string scenario_schema();
 
 }  // namespace hardball

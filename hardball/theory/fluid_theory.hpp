@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/theory/species_list.hpp"
 #include "hardball/world/world.hpp"
 
@@ -11,7 +12,7 @@ namespace hardball {
 
 /// Z = P V / N k T of the fluid of equal spheres [1], within 4e-5 of simulations up to freezing, at a packing
 /// fraction of 0.494. Source: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) 2335.
-double fluid_compressibility(double packing_fraction);
+HARDBALL_EXPORT double fluid_compressibility(double packing_fraction);
 
 /// Theory of the hard-sphere fluid in equilibrium in a periodic box, with a given number of spheres, fixed
 /// energy and no total momentum: all that measured numbers are compared with. Where it does not apply, as
@@ -22,7 +23,7 @@ double fluid_compressibility(double packing_fraction);
 /// With fewer spheres there are fewer pairs, the density about a sphere is lower, and speeds vary less: all
 /// in proportion to one over their number. Source: Lebowitz and Percus, Phys. Rev. 122 (1961) 1675;
 /// docs/measures.md.
-class FluidTheory {
+class HARDBALL_EXPORT FluidTheory {
  public:
   /// The densest fluid of equal spheres. Source: Hoover and Ree, J. Chem. Phys. 49 (1968) 3609.
   static constexpr double kFreezing = 0.494;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -14,7 +15,7 @@ namespace hardball {
 /// numbered from zero in the order of their lowest ids, which is that of the groups of a scenario.
 ///
 /// If there are more than eight kinds, as with radii from a distribution, all spheres are one species.
-class SpeciesList {
+class HARDBALL_EXPORT SpeciesList {
  public:
   static constexpr std::size_t kMaxSpecies = 8;
 

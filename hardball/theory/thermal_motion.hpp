@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -32,17 +33,17 @@ struct ThermalMotion {
 /// The mean magnitude of one component of a motion of fixed energy, in f degrees of freedom, over that
 /// of a normal distribution with the same variance [1]: 1 + 1 / 4f for many. The direction of the motion is
 /// uniform on a sphere in f dimensions.
-double mean_over_normal(double degrees_of_freedom);
+HARDBALL_EXPORT double mean_over_normal(double degrees_of_freedom);
 
 /// The axes on which momentum is conserved, so that the spheres may drift: those without walls and gravity,
 /// if there are no surfaces, no kinematic spheres, and no faces of the box that drag. Cost: O(1).
-std::array<bool, kAxes> drift_axes(const World& world);
+HARDBALL_EXPORT std::array<bool, kAxes> drift_axes(const World& world);
 
 /// Cost: O(n).
-ThermalMotion thermal_motion(const World& world, const Time& moment);
+HARDBALL_EXPORT ThermalMotion thermal_motion(const World& world, const Time& moment);
 
 /// Whether the energy is still that of the start but for rounding, and nothing but chance contacts has kept
 /// it so, so that there can be the equilibrium of an isolated system of hard spheres.
-bool is_energy_conserved(const ThermalMotion& begin, const ThermalMotion& end);
+HARDBALL_EXPORT bool is_energy_conserved(const ThermalMotion& begin, const ThermalMotion& end);
 
 }  // namespace hardball

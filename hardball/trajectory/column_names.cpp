@@ -17,57 +17,31 @@
 namespace hardball {
 namespace {
 
-// What programs call a quantity, normalized.
-struct Synonym {
-  std::string_view text;
+// What programs call a quantity, normalized: the column, and the names in a row, the plainest first.
+struct Scalar {
   std::string_view column;
+  std::string_view names;
 };
 
-// For each column the plainest name first.
-constexpr std::array<Synonym, 21> kScalarSynonyms{{{"radius", "radius"},
-                                                   {"radii", "radius"},
-                                                   {"rad", "radius"},
-                                                   {"r", "radius"},
-                                                   {"diameter", "diameter"},
-                                                   {"diameters", "diameter"},
-                                                   {"diam", "diameter"},
-                                                   {"d", "diameter"},
-                                                   {"mass", "mass"},
-                                                   {"masses", "mass"},
-                                                   {"m", "mass"},
-                                                   {"id", "id"},
-                                                   {"ids", "id"},
-                                                   {"particleid", "id"},
-                                                   {"particleidentifier", "id"},
-                                                   {"atomid", "id"},
-                                                   {"type", "type"},
-                                                   {"types", "type"},
-                                                   {"particletype", "type"},
-                                                   {"moment", "moment"},
-                                                   {"moments", "moment"}}};
+constexpr std::array<Scalar, 6> kScalars{{{"radius", "radius radii rad r"},
+                                          {"diameter", "diameter diameters diam d"},
+                                          {"mass", "mass masses m"},
+                                          {"id", "id ids particleid particleidentifier atomid"},
+                                          {"type", "type types particletype"},
+                                          {"moment", "moment moments"}}};
 
-// The components of which vector a name stands for, if x, y or z, or the number of one, follows it.
-struct VectorSynonym {
-  std::string_view text;
+// The names stand for the components of a vector if x, y or z, or the number of one, follows them.
+struct Vector {
   std::array<std::string_view, kAxes> columns;
+  std::string_view names;
 };
 
 constexpr std::array<std::string_view, kAxes> kPositionNames{"x", "y", "z"};
-constexpr std::array<std::string_view, kAxes> kVelocityNames{"vx", "vy", "vz"};
-constexpr std::array<std::string_view, kAxes> kSpinNames{"omegax", "omegay", "omegaz"};
-constexpr std::array<std::string_view, kAxes> kImageNames{"ix", "iy", "iz"};
-constexpr std::array<VectorSynonym, 22> kVectorSynonyms{
-    {{"", kPositionNames},           {"pos", kPositionNames},
-     {"position", kPositionNames},   {"positions", kPositionNames},
-     {"point", kPositionNames},      {"points", kPositionNames},
-     {"coord", kPositionNames},      {"coords", kPositionNames},
-     {"coordinate", kPositionNames}, {"coordinates", kPositionNames},
-     {"center", kPositionNames},     {"v", kVelocityNames},
-     {"vel", kVelocityNames},        {"velo", kVelocityNames},
-     {"velocity", kVelocityNames},   {"velocities", kVelocityNames},
-     {"omega", kSpinNames},          {"angularvelocity", kSpinNames},
-     {"angvel", kSpinNames},         {"i", kImageNames},
-     {"image", kImageNames},         {"images", kImageNames}}};
+constexpr std::array<Vector, 4> kVectors{
+    {{kPositionNames, "pos position positions point points coord coords coordinate coordinates center"},
+     {{"vx", "vy", "vz"}, "v vel velo velocity velocities"},
+     {{"omegax", "omegay", "omegaz"}, "omega angularvelocity angvel"},
+     {{"ix", "iy", "iz"}, "i image images"}}};
 
 // From how many letters on a name is a word, which may also follow the component.
 constexpr std::size_t kWordLetters = 3;
@@ -127,12 +101,18 @@ class Renaming {
 
 std::vector<Token> known_columns(std::vector<Token> names, const TextLocation& where) {
   Renaming renaming(std::move(names), where);
-  for (const auto& [text, column] : kScalarSynonyms) renaming.rename(std::string(text), column);
-  for (const auto& [text, columns] : kVectorSynonyms) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      renaming.rename(std::string(text) + "xyz"[axis], columns[axis]);
-      if (!text.empty()) renaming.rename(std::string(text) + "012"[axis], columns[axis]);
-      if (text.size() >= kWordLetters) renaming.rename("xyz"[axis] + std::string(text), columns[axis]);
+  for (const auto& [column, synonyms] : kScalars) {
+    for (const Token& name : tokens_of(synonyms)) renaming.rename(std::string(name.text), column);
+  }
+  for (const std::string_view name : kPositionNames) renaming.rename(std::string(name), name);
+  for (const auto& [columns, synonyms] : kVectors) {
+    for (const Token& name : tokens_of(synonyms)) {
+      const std::string text(name.text);
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        renaming.rename(text + "xyz"[axis], columns[axis]);
+        renaming.rename(text + "012"[axis], columns[axis]);
+        if (text.size() >= kWordLetters) renaming.rename("xyz"[axis] + text, columns[axis]);
+      }
     }
   }
   return renaming.take();

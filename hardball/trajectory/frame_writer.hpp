@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/io/file_position.hpp"
 #include "hardball/memory/function.hpp"
@@ -45,7 +46,9 @@ class HARDBALL_EXPORT FrameWriter {
   virtual void append(const Snapshot& snapshot, std::uint64_t frame) = 0;
   /// Appends frame number `frame`, whose spheres come in parts. Error: the format needs all spheres at once.
   /// Error (RunFailure): it cannot be written.
-  virtual void append(const FrameParts& parts, std::uint64_t frame);
+  virtual void append(const FrameParts& /*parts*/, std::uint64_t /*frame*/) {
+    throw Error("its format needs all spheres at once", "trajectory", "choose extended XYZ or a LAMMPS dump");
+  }
   /// Completes what readers need to find the frames, where that is not done with every frame. Error
   /// (RunFailure): it cannot be written.
   virtual void flush() {}

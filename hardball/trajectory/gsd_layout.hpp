@@ -3,10 +3,13 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "hardball/io/little_endian.hpp"
 
@@ -42,6 +45,36 @@ constexpr std::size_t bytes_of(std::uint8_t type) {
   return type < kBytes.size() ? kBytes[type] : 0;
 }
 
+/// The rows of a chunk: numbers, or vectors of them.
+template <class Row>
+struct RowOf {
+  using Number = Row;
+  static constexpr std::uint32_t kColumns = 1;
+};
+template <class Row>
+requires requires(const Row& row) {
+  row[0];
+}
+struct RowOf<Row> {
+  using Number = std::remove_cvref_t<decltype(std::declval<const Row&>()[0])>;
+  static constexpr std::uint32_t kColumns = sizeof(Row) / sizeof(Number);
+};
+
+/// The type of a number.
+template <class Number>
+constexpr Type type_of() {
+  if constexpr (std::is_floating_point_v<Number>) return sizeof(Number) == 4 ? Type::float32 : Type::float64;
+  const Type narrowest = std::is_signed_v<Number> ? Type::int8 : Type::uint8;
+  return static_cast<Type>(static_cast<int>(narrowest) + std::countr_zero(sizeof(Number)));
+}
+
+/// What a chunk contains.
+struct Rows {
+  Type type = Type::uint8;
+  std::uint32_t columns = 1;
+  std::string bytes = {};
+};
+
 /// What the header says.
 struct Header {
   std::uint64_t index_location = 0;
@@ -50,8 +83,9 @@ struct Header {
   std::uint64_t names_length = 0;  ///< In units of kNameBytes.
 };
 
-/// The place of a chunk, which is a matrix of numbers.
+/// The place of a chunk, which is a matrix of numbers, as it lies in the index.
 struct Entry {
+  static constexpr bool kIsPlain = true;
   static constexpr std::size_t kBytes = 32;
 
   std::uint64_t frame = 0;
@@ -60,27 +94,11 @@ struct Entry {
   std::uint32_t columns = 0;
   std::uint16_t name = 0;  ///< The index of its name.
   std::uint8_t type = 0;
+  std::uint8_t flags = 0;  ///< Not used.
 
   std::uint64_t bytes() const { return rows * columns * bytes_of(type); }
 };
-
-inline std::string bytes_of(const Entry& entry) {
-  std::string bytes;
-  append_little_endian(bytes, entry.frame);
-  append_little_endian(bytes, entry.rows);
-  append_little_endian(bytes, entry.location);
-  append_little_endian(bytes, entry.columns);
-  append_little_endian(bytes, entry.name);
-  append_little_endian(bytes, entry.type);
-  append_little_endian(bytes, std::uint8_t{0});
-  return bytes;
-}
-
-inline Entry entry_at(const char* bytes) {
-  return {read_little_endian<std::uint64_t>(bytes),      read_little_endian<std::uint64_t>(bytes + 8),
-          read_little_endian<std::uint64_t>(bytes + 16), read_little_endian<std::uint32_t>(bytes + 24),
-          read_little_endian<std::uint16_t>(bytes + 28), read_little_endian<std::uint8_t>(bytes + 30)};
-}
+static_assert(sizeof(Entry) == Entry::kBytes);
 
 inline std::string bytes_of(const Header& header) {
   std::string bytes;
@@ -136,8 +154,6 @@ enum class Chunk : std::uint16_t {
   bond_type_id,
   bonds
 };
-/// How many names the oldest files have that a run can continue.
-inline constexpr std::size_t kFewestNames = 23;
 inline constexpr std::array<std::string_view, 27> kChunkNames{
     "configuration/step",
     "configuration/dimensions",

@@ -3,7 +3,6 @@
 #include "hardball/trajectory/gsd_reader.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -20,20 +19,12 @@ using gsd::Type;
 
 constexpr const char* kGiveGsd = "give a GSD file as the schema hoomd describes";
 
-double single_at(const std::string& bytes, std::size_t index) {
-  return double{std::bit_cast<float>(read_little_endian<std::uint32_t>(&bytes[4 * index]))};
+Vec3 exact(const VectorOf<float>& vector) {
+  return {vector.x, vector.y, vector.z};
 }
 
-double double_at(const std::string& bytes, std::size_t index) {
-  return read_little_endian<double>(&bytes[8 * index]);
-}
-
-Vec3 vector_at(const std::string& bytes, std::size_t index) {
-  return {double_at(bytes, 3 * index), double_at(bytes, 3 * index + 1), double_at(bytes, 3 * index + 2)};
-}
-
-Vec3 single_vector_at(const std::string& bytes, std::size_t index) {
-  return {single_at(bytes, 3 * index), single_at(bytes, 3 * index + 1), single_at(bytes, 3 * index + 2)};
+double exact(float number) {
+  return number;
 }
 
 std::string_view name_of(Chunk chunk) {
@@ -44,14 +35,6 @@ std::string_view name_of(Chunk chunk) {
 bool is_of_spheres(Chunk chunk) {
   return chunk != Chunk::count && chunk != Chunk::types &&
          name_of(chunk).find("particles/") != std::string::npos;
-}
-
-// The box of the schema where the file has none: a periodic unit cube.
-std::string default_edges() {
-  std::string bytes;
-  for (std::size_t i = 0; i < 2 * kAxes; ++i)
-    append_little_endian(bytes, std::bit_cast<std::uint32_t>(i < kAxes ? 1.0F : 0.0F));
-  return bytes;
 }
 
 // Whether the edges of the box are these, in single precision. A plane has no third one.
@@ -83,28 +66,42 @@ const gsd::Entry* GsdReader::entry_of(std::size_t frame, Chunk chunk) {
   return file_.find(0, name_of(chunk));
 }
 
-// The bytes of the chunk that holds for a frame; nothing for the default of the schema.
-std::string GsdReader::chunk(std::size_t frame, Chunk chunk, Type type, std::uint64_t rows,
-                             std::uint64_t columns) {
+// The rows of the chunk that holds for a frame; none for the default of the schema.
+template <class Row>
+std::vector<Row> GsdReader::rows(std::size_t frame, Chunk chunk, std::uint64_t count, std::uint32_t columns) {
   const gsd::Entry* entry = entry_of(frame, chunk);
   if (!entry) return {};
+  constexpr Type kType = gsd::type_of<typename gsd::RowOf<Row>::Number>();
   // The package gsd of Python writes bonds with a sign, which the schema does not have.
-  const bool has_type = entry->type == static_cast<std::uint8_t>(type) ||
-                        (type == Type::uint32 && entry->type == static_cast<std::uint8_t>(Type::int32));
-  if (!has_type || entry->rows != rows || entry->columns != columns) {
+  const bool has_type = entry->type == static_cast<std::uint8_t>(kType) ||
+                        (kType == Type::uint32 && entry->type == static_cast<std::uint8_t>(Type::int32));
+  if (!has_type || entry->rows != count || entry->columns != columns) {
     throw Error(
         "chunk " + std::string(name_of(chunk)) + " of frame " + to_text(frame) + " has another type or shape",
         file_.name(), kGiveGsd);
   }
-  return file_.read(*entry);
+  const std::string bytes = file_.read(*entry);
+  std::vector<Row> rows(bytes.size() / sizeof(Row));
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = read_little_endian<Row>(&bytes[i * sizeof(Row)]);
+  return rows;
 }
 
 // Exact numbers that belong to those in single precision. Other programs append frames without exact ones,
 // which those of the first frame do not describe.
-std::string GsdReader::exact_chunk(std::size_t frame, Chunk rough, Chunk exact, std::uint64_t rows,
-                                   std::uint64_t columns) {
-  if (has_own(frame, rough) && !has_own(frame, exact)) return {};
-  return chunk(frame, exact, Type::float64, rows, columns);
+template <class Row>
+std::vector<Row> GsdReader::exact_rows(std::size_t frame, Chunk rough, Chunk fine, std::uint64_t count) {
+  if (has_own(frame, rough) && !has_own(frame, fine)) return {};
+  return rows<Row>(frame, fine, count);
+}
+
+// Exact numbers where there are some, otherwise those in single precision.
+template <class Single>
+auto GsdReader::best_rows(std::size_t frame, Chunk rough, Chunk fine, std::uint64_t count) {
+  using Row = decltype(exact(Single()));
+  std::vector<Row> best = exact_rows<Row>(frame, rough, fine, count);
+  if (!best.empty()) return best;
+  for (const Single& row : rows<Single>(frame, rough, count)) best.push_back(exact(row));
+  return best;
 }
 
 std::uint64_t GsdReader::count_of(std::size_t frame) {
@@ -118,29 +115,29 @@ std::uint64_t GsdReader::count_of(std::size_t frame) {
 
 void GsdReader::read_box(std::size_t frame, Snapshot& snapshot) {
   SnapshotBox box;
-  const std::string dimensions = chunk(frame, Chunk::dimensions, Type::uint8, 1, 1);
-  box.is_flat = !dimensions.empty() && dimensions[0] == 2;
-  std::string edges = chunk(frame, Chunk::box, Type::float32, 6, 1);
-  if (edges.empty()) edges = default_edges();
-  for (std::size_t tilt = kAxes + 1; tilt < 2 * kAxes; ++tilt) {
-    if (single_at(edges, tilt) == 0) continue;
+  const auto byte = [&](Chunk chunk) {
+    const std::vector<std::uint8_t> bytes = rows<std::uint8_t>(frame, chunk, 1);
+    return bytes.empty() ? 0 : bytes[0];
+  };
+  box.is_flat = byte(Chunk::dimensions) == 2;
+  std::vector<float> edges = rows<float>(frame, Chunk::box, 2 * kAxes);
+  if (edges.empty()) edges = {1, 1, 1, 0, 0, 0};  // as the schema says
+  if (edges[kAxes + 1] != 0 || edges[kAxes + 2] != 0) {
     throw Error("the box is triclinic, not only tilted along x across y", file_.name(),
                 "give a box whose edges lie along the axes");
   }
-  box.size = single_vector_at(edges, 0);
-  box.tilt = static_cast<double>(single_at(edges, kAxes)) * box.size.y;
+  box.size = {edges[0], edges[1], edges[2]};
+  box.tilt = double{edges[kAxes]} * box.size.y;
   box.is_periodic = {true, true, !box.is_flat};
-  if (const std::string periodic = chunk(frame, Chunk::periodic, Type::uint8, 3, 1); !periodic.empty()) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) box.is_periodic[axis] = periodic[axis] != 0;
-  }
-  const std::string origin = chunk(frame, Chunk::origin, Type::float64, 3, 1);
-  const std::string size = chunk(frame, Chunk::size, Type::float64, 3, 1);
+  const std::vector<std::uint8_t> periodic = rows<std::uint8_t>(frame, Chunk::periodic, kAxes);
+  for (std::size_t axis = 0; axis < periodic.size(); ++axis) box.is_periodic[axis] = periodic[axis] != 0;
+  const std::vector<double> origin = rows<double>(frame, Chunk::origin, kAxes);
+  const std::vector<double> size = rows<double>(frame, Chunk::size, kAxes);
   // Exact edges of the first frame say nothing of a box that has since changed.
-  const bool are_exact = !size.empty() && is_rounded(vector_at(size, 0), box);
-  if (are_exact) box.size = vector_at(size, 0);
-  if (are_exact && !origin.empty()) box.low = vector_at(origin, 0);
-  const std::string unbounded = chunk(frame, Chunk::unbounded, Type::uint8, 1, 1);
-  box.is_unbounded = !unbounded.empty() && unbounded[0] != 0;
+  const bool are_exact = !size.empty() && is_rounded({size[0], size[1], size[2]}, box);
+  if (are_exact) box.size = {size[0], size[1], size[2]};
+  if (are_exact && !origin.empty()) box.low = {origin[0], origin[1], origin[2]};
+  box.is_unbounded = byte(Chunk::unbounded) != 0;
   snapshot.box = box;
 }
 
@@ -156,12 +153,11 @@ std::vector<SpeciesId> GsdReader::species_of_types(std::size_t frame) {
 }
 
 void GsdReader::read_bonds(std::size_t frame, Snapshot& snapshot) {
-  const std::string number = chunk(frame, Chunk::bond_count, Type::uint32, 1, 1);
-  const std::uint64_t count = number.empty() ? 0 : read_little_endian<std::uint32_t>(number.data());
-  if (count == 0) return;
-  const std::string bonds = chunk(frame, Chunk::bonds, Type::uint32, count, 2);
+  const std::vector<std::uint32_t> number = rows<std::uint32_t>(frame, Chunk::bond_count, 1);
+  if (number.empty() || number[0] == 0) return;
+  const std::vector<std::uint32_t> bonds = rows<std::uint32_t>(frame, Chunk::bonds, number[0], 2);
   const auto id_at = [&](std::size_t index) {
-    const auto sphere = read_little_endian<std::uint32_t>(&bonds[4 * index]);
+    const std::uint32_t sphere = bonds[index];
     if (sphere >= snapshot.spheres.size()) {
       throw Error("frame " + to_text(frame) + " has a bond of sphere " + to_text(sphere) + ", of " +
                       to_text(snapshot.spheres.size()),
@@ -169,8 +165,7 @@ void GsdReader::read_bonds(std::size_t frame, Snapshot& snapshot) {
     }
     return snapshot.id(sphere);
   };
-  for (std::size_t i = 0; i < bonds.size() / 8; ++i)
-    snapshot.bonds.push_back({id_at(2 * i), id_at(2 * i + 1)});
+  for (std::size_t i = 0; i < bonds.size(); i += 2) snapshot.bonds.push_back({id_at(i), id_at(i + 1)});
 }
 
 Snapshot GsdReader::read(std::size_t frame) {
@@ -178,79 +173,47 @@ Snapshot GsdReader::read(std::size_t frame) {
   Snapshot snapshot;
   const std::uint64_t count = count_of(frame);
   read_box(frame, snapshot);
-  const std::string time = chunk(frame, Chunk::time, Type::float64, 1, 1);
-  if (!time.empty() && !std::isnan(double_at(time, 0))) snapshot.time = double_at(time, 0);
-  const std::string exact = exact_chunk(frame, Chunk::position, Chunk::exact_position, count, kAxes);
+  const std::vector<double> time = rows<double>(frame, Chunk::time, 1);
+  if (!time.empty() && !std::isnan(time[0])) snapshot.time = time[0];
+  std::vector<Vec3> positions = exact_rows<Vec3>(frame, Chunk::position, Chunk::exact_position, count);
   // The single precision positions must be there: their chunk bounds how many spheres there may be.
-  std::string positions = chunk(frame, Chunk::position, Type::float32, count, kAxes);
+  std::vector<VectorOf<float>> rough = rows<VectorOf<float>>(frame, Chunk::position, count);
   // A single sphere may be at the origin, which is what the schema means by no positions.
-  if (positions.empty() && count == 1) positions.assign(kAxes * sizeof(float), '\0');
-  if (positions.empty() && count > 0) {
+  if (rough.empty() && count == 1) rough.resize(1);
+  if (rough.empty() && count > 0)
     throw Error("frame " + to_text(frame) + " has no positions", file_.name(), kGiveGsd);
-  }
-  const Vec3 center = snapshot.box ? 0.5 * snapshot.box->size + snapshot.box->low : Vec3{};
-  const bool is_flat = snapshot.box && snapshot.box->is_flat;
-  snapshot.spheres.resize(count);
-  const auto each = [&](const std::string& bytes, const auto& set) {
-    for (std::size_t i = 0; i < count && !bytes.empty(); ++i) set(snapshot.spheres[i], i);
-  };
-  if (!exact.empty()) {
-    each(exact, [&](Sphere& sphere, std::size_t i) { sphere.position = vector_at(exact, i); });
-  } else {
-    each(positions, [&](Sphere& sphere, std::size_t i) {
-      sphere.position = single_vector_at(positions, i) + center;
-      if (is_flat) sphere.position.z = 0;
-    });
-  }
-  const auto of_each = [&](Chunk rough, Chunk fine, std::size_t columns, const auto& set_rough,
-                           const auto& set_fine) {
-    const std::string doubles = exact_chunk(frame, rough, fine, count, columns);
-    if (!doubles.empty()) {
-      each(doubles, [&](Sphere& sphere, std::size_t i) { set_fine(sphere, doubles, i); });
-      return;
+  if (positions.empty()) {
+    const Vec3 center = 0.5 * snapshot.box->size + snapshot.box->low;
+    for (const VectorOf<float>& position : rough) {
+      positions.push_back(exact(position) + center);
+      if (snapshot.box->is_flat) positions.back().z = 0;
     }
-    const std::string singles = chunk(frame, rough, Type::float32, count, columns);
-    each(singles, [&](Sphere& sphere, std::size_t i) { set_rough(sphere, singles, i); });
+  }
+  for (const Vec3& position : positions) snapshot.spheres.push_back({.position = position, .radius = 0.5});
+  const auto each = [&](const auto& rows, const auto& set) {
+    for (std::size_t i = 0; i < rows.size(); ++i) set(snapshot.spheres[i], rows[i]);
   };
-  each(exact.empty() ? positions : exact, [](Sphere& sphere, std::size_t) { sphere.radius = 0.5; });
-  of_each(
-      Chunk::velocity, Chunk::exact_velocity, kAxes,
-      [](Sphere& sphere, const std::string& bytes, std::size_t i) {
-        sphere.velocity = single_vector_at(bytes, i);
-      },
-      [](Sphere& sphere, const std::string& bytes, std::size_t i) { sphere.velocity = vector_at(bytes, i); });
-  of_each(
-      Chunk::diameter, Chunk::exact_radius, 1,
-      [](Sphere& sphere, const std::string& bytes, std::size_t i) {
-        sphere.radius = single_at(bytes, i) / 2;
-      },
-      [](Sphere& sphere, const std::string& bytes, std::size_t i) { sphere.radius = double_at(bytes, i); });
-  of_each(
-      Chunk::mass, Chunk::exact_mass, 1,
-      [](Sphere& sphere, const std::string& bytes, std::size_t i) { sphere.mass = single_at(bytes, i); },
-      [](Sphere& sphere, const std::string& bytes, std::size_t i) { sphere.mass = double_at(bytes, i); });
-  const std::string types = chunk(frame, Chunk::type_id, Type::uint32, count, 1);
+  each(best_rows<VectorOf<float>>(frame, Chunk::velocity, Chunk::exact_velocity, count),
+       [](Sphere& sphere, const Vec3& velocity) { sphere.velocity = velocity; });
+  std::vector<double> radii = exact_rows<double>(frame, Chunk::diameter, Chunk::exact_radius, count);
+  if (radii.empty()) {
+    for (const float diameter : rows<float>(frame, Chunk::diameter, count))
+      radii.push_back(double{diameter} / 2);
+  }
+  each(radii, [](Sphere& sphere, double radius) { sphere.radius = radius; });
+  each(best_rows<float>(frame, Chunk::mass, Chunk::exact_mass, count),
+       [](Sphere& sphere, double mass) { sphere.mass = mass; });
   const std::vector<SpeciesId> species = species_of_types(frame);
-  each(types, [&](Sphere& sphere, std::size_t i) {
-    const std::uint32_t type = read_little_endian<std::uint32_t>(&types[4 * i]);
+  each(rows<std::uint32_t>(frame, Chunk::type_id, count), [&](Sphere& sphere, std::uint32_t type) {
     sphere.species = type < species.size() ? species[type] : species_of_type(std::int64_t{type} + 1);
   });
-  const std::string spins = chunk(frame, Chunk::spin, Type::float64, count, kAxes);
-  each(spins, [&](Sphere& sphere, std::size_t i) { sphere.spin = vector_at(spins, i); });
+  each(rows<Vec3>(frame, Chunk::spin, count), [&](Sphere& sphere, const Vec3& spin) { sphere.spin = spin; });
   snapshot.has_spins =
       std::ranges::any_of(snapshot.spheres, [](const Sphere& sphere) { return sphere.spin != Vec3{}; });
-  const std::string moments = chunk(frame, Chunk::moment, Type::float64, count, 1);
-  each(moments, [&](Sphere& sphere, std::size_t i) { sphere.inertia_factor = double_at(moments, i); });
-  const std::string images = chunk(frame, Chunk::image, Type::int32, count, kAxes);
-  each(images, [&](Sphere&, std::size_t i) {
-    Image& image = snapshot.images.emplace_back();
-    for (std::size_t axis = 0; axis < kAxes; ++axis)
-      image[axis] = static_cast<std::int32_t>(read_little_endian<std::uint32_t>(&images[4 * (3 * i + axis)]));
-  });
-  const std::string ids = chunk(frame, Chunk::id, Type::int64, count, 1);
-  each(ids, [&](Sphere&, std::size_t i) {
-    snapshot.ids.push_back(static_cast<std::int64_t>(read_little_endian<std::uint64_t>(&ids[8 * i])));
-  });
+  each(rows<double>(frame, Chunk::moment, count),
+       [](Sphere& sphere, double moment) { sphere.inertia_factor = moment; });
+  snapshot.images = rows<Image>(frame, Chunk::image, count);
+  snapshot.ids = rows<std::int64_t>(frame, Chunk::id, count);
   read_bonds(frame, snapshot);
   if (!snapshot.ids.empty()) sort_by_id(snapshot, file_.name());
   check_numbers(snapshot, file_.name());

@@ -24,14 +24,15 @@ class GsdReader final : public SnapshotReader {
   Snapshot read(std::size_t frame) override;
 
  private:
-  struct Column;
-
   const gsd::Entry* entry_of(std::size_t frame, gsd::Chunk chunk);
   bool has_own(std::size_t frame, gsd::Chunk chunk) const;
-  std::string chunk(std::size_t frame, gsd::Chunk chunk, gsd::Type type, std::uint64_t rows,
-                    std::uint64_t columns);
-  std::string exact_chunk(std::size_t frame, gsd::Chunk rough, gsd::Chunk exact, std::uint64_t rows,
-                          std::uint64_t columns);
+  template <class Row>
+  std::vector<Row> rows(std::size_t frame, gsd::Chunk chunk, std::uint64_t count,
+                        std::uint32_t columns = gsd::RowOf<Row>::kColumns);
+  template <class Row>
+  std::vector<Row> exact_rows(std::size_t frame, gsd::Chunk rough, gsd::Chunk fine, std::uint64_t count);
+  template <class Single>
+  auto best_rows(std::size_t frame, gsd::Chunk rough, gsd::Chunk fine, std::uint64_t count);
   std::uint64_t count_of(std::size_t frame);
   void read_box(std::size_t frame, Snapshot& snapshot);
   std::vector<SpeciesId> species_of_types(std::size_t frame);

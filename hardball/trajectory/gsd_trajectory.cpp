@@ -3,12 +3,13 @@
 #include "hardball/trajectory/gsd_trajectory.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
 #include <limits>
-#include <span>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
@@ -33,21 +34,32 @@ float single(double number) {
   return static_cast<float>(number);
 }
 
-void append(std::string& bytes, float number) {
-  append_little_endian(bytes, std::bit_cast<std::uint32_t>(number));
+VectorOf<float> single(const Vec3& vector) {
+  return {single(vector.x), single(vector.y), single(vector.z)};
 }
 
+// What value(i) returns for the rows i = 0 to count - 1.
 template <class Value>
-std::string bytes_of_all(std::size_t count, const Value& append_value) {
-  std::string bytes;
-  for (std::size_t i = 0; i < count; ++i) append_value(bytes, i);
-  return bytes;
+gsd::Rows rows_of(std::size_t count, const Value& value) {
+  using Each = gsd::RowOf<std::remove_cvref_t<decltype(value(0))>>;
+  gsd::Rows rows{gsd::type_of<typename Each::Number>(), Each::kColumns};
+  for (std::size_t i = 0; i < count; ++i) append_little_endian(rows.bytes, value(i));
+  return rows;
 }
 
-// The list of the first names, padded with zeros, of which one at least ends it.
-std::string name_list(std::size_t count) {
+template <class Number>
+gsd::Rows row_of(Number number) {
+  return rows_of(1, [&](std::size_t) { return number; });
+}
+
+gsd::Rows column_of(const Vec3& vector) {
+  return rows_of(kAxes, [&](std::size_t axis) { return vector[axis]; });
+}
+
+// The list of names, padded with zeros, of which one at least ends it.
+std::string name_list() {
   std::string names;
-  for (std::size_t i = 0; i < count; ++i) names += std::string(gsd::kChunkNames[i]) + '\0';
+  for (const std::string_view name : gsd::kChunkNames) names += std::string(name) + '\0';
   names.resize((names.size() / gsd::kNameBytes + 1) * gsd::kNameBytes);
   return names;
 }
@@ -72,7 +84,7 @@ std::vector<gsd::Entry> first_entries(const gsd::File& file, std::uint64_t frame
 std::string index_of(std::initializer_list<const std::vector<gsd::Entry>*> parts, std::uint64_t room) {
   std::string bytes;
   for (const std::vector<gsd::Entry>* const entries : parts) {
-    for (const gsd::Entry& entry : *entries) bytes += gsd::bytes_of(entry);
+    for (const gsd::Entry& entry : *entries) append_little_endian(bytes, entry);
   }
   bytes.resize(room * gsd::Entry::kBytes);
   return bytes;
@@ -93,7 +105,7 @@ std::uint64_t checksum_of_last(const std::vector<gsd::Entry>& entries, const Rea
   std::uint64_t summed = 0;
   for (auto entry = entries.rbegin(); entry != entries.rend() && summed < kSummedBytes; ++entry) {
     const std::string bytes = read(*entry);
-    parts += gsd::bytes_of(*entry);
+    append_little_endian(parts, *entry);
     append_little_endian(parts, checksum_of(bytes));
     summed += gsd::Entry::kBytes + bytes.size();
   }
@@ -107,7 +119,7 @@ GsdTrajectory::GsdTrajectory(std::filesystem::path path, const std::optional<Tra
 
 OutputFile GsdTrajectory::create(const std::filesystem::path& path) {
   OutputFile created(path);
-  const std::string names = name_list(name_count_);
+  const std::string names = name_list();
   header_.index_location = gsd::kHeaderBytes;
   header_.index_entries = kFirstEntries;
   header_.names_location = header_.index_location + kFirstEntries * gsd::Entry::kBytes;
@@ -124,10 +136,7 @@ OutputFile GsdTrajectory::open(const std::filesystem::path& path, const Trajecto
   const auto refuse_unless = [&](bool condition, const std::string& problem) {
     if (!condition) throw Error(problem, file.name(), kRestore);
   };
-  name_count_ = file.names().size();
-  refuse_unless(name_count_ >= gsd::kFewestNames && name_count_ <= gsd::kChunkNames.size() &&
-                    std::ranges::equal(file.names(), std::span(gsd::kChunkNames).first(name_count_)),
-                "has other chunks than hardball writes");
+  refuse_unless(std::ranges::equal(file.names(), gsd::kChunkNames), "has other chunks than hardball writes");
   entries_ = first_entries(file, position.frames);
   // The index may since have moved to where there is more room.
   header_ = position.head.size() == gsd::kHeaderBytes ? gsd::header_at(position.head.data()) : file.header();
@@ -156,7 +165,7 @@ void GsdTrajectory::cut_back() {
   if (!is_too_long_) return;
   is_too_long_ = false;
   file_.overwrite(header_.index_location, index_of({&entries_}, header_.index_entries));
-  file_.overwrite(header_.names_location, name_list(name_count_));
+  file_.overwrite(header_.names_location, name_list());
   file_.overwrite(0, gsd::bytes_of(header_));
   file_.flush_complete();
 }
@@ -184,143 +193,103 @@ void GsdTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
   frame_ = frame;
   is_repeated_ = first_count_ && *first_count_ != count;
 
-  const auto scalar = [](auto number) {
-    std::string bytes;
-    append_little_endian(bytes, number);
-    return bytes;
-  };
   const auto exact = [&](auto member) {
-    return bytes_of_all(count, [&](std::string& bytes, std::size_t i) {
-      const auto& value = spheres[i].*member;
-      if constexpr (std::is_same_v<decltype(value), const Vec3&>) {
-        for (std::size_t axis = 0; axis < kAxes; ++axis) append_little_endian(bytes, value[axis]);
-      } else {
-        append_little_endian(bytes, value);
-      }
-    });
-  };
-  const auto vector = [](const Vec3& value) {
-    std::string bytes;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) append_little_endian(bytes, value[axis]);
-    return bytes;
+    return rows_of(count, [&](std::size_t i) { return spheres[i].*member; });
   };
   // Within the box also after rounding, where it is periodic.
-  const auto centered = [&](const Vec3& position, std::size_t axis) {
-    const float from_center = hardball::single(position[axis] - center[axis]);
-    if (!box.is_periodic[axis]) return from_center;
-    const double height = (position.y - center.y) / box.size.y;
-    const float middle = axis == 0 && box.tilt != 0 ? hardball::single(box.tilt * height) : 0;
-    const float half = hardball::single(box.size[axis]) / 2;
-    return middle + std::clamp(from_center - middle, -half, std::nextafter(half, 0.0F));
+  const auto centered = [&](const Vec3& position) {
+    VectorOf<float> rounded = single(position - center);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!box.is_periodic[axis]) continue;
+      const double height = (position.y - center.y) / box.size.y;
+      const float middle = axis == 0 && box.tilt != 0 ? single(box.tilt * height) : 0;
+      const float half = single(box.size[axis]) / 2;
+      rounded[axis] = middle + std::clamp(rounded[axis] - middle, -half, std::nextafter(half, 0.0F));
+    }
+    return rounded;
   };
 
   // In the order of their names, as GSD demands; all of them in the first frame, as gsd.hoomd does.
-  write_chunk(Chunk::step, Type::uint64, 1, scalar(frame));
-  write_unless_as_first(Chunk::dimensions, Type::uint8, 1,
-                        scalar(static_cast<std::uint8_t>(box.is_flat ? 2 : 3)));
-  std::string edges;
-  for (std::size_t axis = 0; axis < kAxes; ++axis)
-    hardball::append(edges, axis == 2 && box.is_flat ? 0 : hardball::single(box.size[axis]));
+  write_chunk(Chunk::step, row_of(frame));
+  write_unless_as_first(Chunk::dimensions, row_of(static_cast<std::uint8_t>(box.is_flat ? 2 : 3)));
   // The tilts are relative to the edges that they tilt.
-  hardball::append(edges, box.tilt == 0 ? 0 : hardball::single(box.tilt / box.size.y));
-  for (std::size_t tilt = 1; tilt < kAxes; ++tilt) hardball::append(edges, 0.0F);
-  write_unless_as_first(Chunk::box, Type::float32, 1, edges);
-  write_unless_as_first(Chunk::count, Type::uint32, 1, scalar(static_cast<std::uint32_t>(count)));
-  write_chunk(Chunk::position, Type::float32, kAxes,
-              bytes_of_all(count, [&](std::string& bytes, std::size_t i) {
-                for (std::size_t axis = 0; axis < kAxes; ++axis)
-                  hardball::append(bytes, centered(spheres[i].position, axis));
-              }));
-  write_chunk(Chunk::velocity, Type::float32, kAxes,
-              bytes_of_all(count, [&](std::string& bytes, std::size_t i) {
-                for (std::size_t axis = 0; axis < kAxes; ++axis)
-                  hardball::append(bytes, hardball::single(spheres[i].velocity[axis]));
-              }));
-  write_unless_as_first(Chunk::diameter, Type::float32, 1,
-                        bytes_of_all(count, [&](std::string& bytes, std::size_t i) {
-                          hardball::append(bytes, hardball::single(2 * spheres[i].radius));
-                        }));
-  write_unless_as_first(Chunk::mass, Type::float32, 1,
-                        bytes_of_all(count, [&](std::string& bytes, std::size_t i) {
-                          hardball::append(bytes, hardball::single(spheres[i].mass));
-                        }));
+  const std::array<float, 2 * kAxes> edges{single(box.size.x),
+                                           single(box.size.y),
+                                           box.is_flat ? 0 : single(box.size.z),
+                                           box.tilt == 0 ? 0 : single(box.tilt / box.size.y),
+                                           0,
+                                           0};
+  write_unless_as_first(Chunk::box, rows_of(edges.size(), [&](std::size_t i) { return edges[i]; }));
+  write_unless_as_first(Chunk::count, row_of(static_cast<std::uint32_t>(count)));
+  write_chunk(Chunk::position, rows_of(count, [&](std::size_t i) { return centered(spheres[i].position); }));
+  write_chunk(Chunk::velocity, rows_of(count, [&](std::size_t i) { return single(spheres[i].velocity); }));
+  write_unless_as_first(Chunk::diameter,
+                        rows_of(count, [&](std::size_t i) { return single(2 * spheres[i].radius); }));
+  write_unless_as_first(Chunk::mass, rows_of(count, [&](std::size_t i) { return single(spheres[i].mass); }));
   const SphereTypes types(spheres);
-  write_unless_as_first(Chunk::type_id, Type::uint32, 1,
-                        bytes_of_all(count, [&](std::string& bytes, std::size_t i) {
-                          append_little_endian(bytes, static_cast<std::uint32_t>(types.type_of(spheres[i])));
+  write_unless_as_first(Chunk::type_id, rows_of(count, [&](std::size_t i) {
+                          return static_cast<std::uint32_t>(types.type_of(spheres[i]));
                         }));
   const std::vector<std::string> names = gsd::type_names(types);
   const std::size_t name_bytes = std::ranges::max(names, {}, &std::string::size).size() + 1;
-  write_unless_as_first(Chunk::types, Type::int8, name_bytes,
-                        bytes_of_all(names.size(), [&](std::string& bytes, std::size_t i) {
-                          std::string name = names[i];
-                          name.resize(name_bytes);
-                          bytes += name;
+  gsd::Rows listed{Type::int8, static_cast<std::uint32_t>(name_bytes)};
+  for (std::string name : names) {
+    name.resize(name_bytes);
+    listed.bytes += name;
+  }
+  write_unless_as_first(Chunk::types, std::move(listed));
+  write_chunk(Chunk::image, rows_of(count, [&](std::size_t i) { return snapshot.image(i); }));
+  write_chunk(Chunk::time, row_of(snapshot.time.value_or(std::numeric_limits<double>::quiet_NaN())));
+  write_unless_as_first(Chunk::periodic, rows_of(kAxes, [&](std::size_t axis) {
+                          return static_cast<std::uint8_t>(box.is_periodic[axis]);
                         }));
-  write_chunk(Chunk::image, Type::int32, kAxes, bytes_of_all(count, [&](std::string& bytes, std::size_t i) {
-                const Image image = snapshot.image(i);
-                for (std::size_t axis = 0; axis < kAxes; ++axis)
-                  append_little_endian(bytes, static_cast<std::uint32_t>(image[axis]));
-              }));
-  write_chunk(Chunk::time, Type::float64, 1,
-              scalar(snapshot.time.value_or(std::numeric_limits<double>::quiet_NaN())));
-  std::string periodic;
-  for (const bool is_periodic : box.is_periodic) periodic += static_cast<char>(is_periodic);
-  write_unless_as_first(Chunk::periodic, Type::uint8, 1, periodic);
-  write_unless_as_first(Chunk::origin, Type::float64, 1, vector(box.low));
-  write_unless_as_first(Chunk::size, Type::float64, 1, vector(box.size));
-  write_unless_as_first(Chunk::unbounded, Type::uint8, 1,
-                        scalar(static_cast<std::uint8_t>(box.is_unbounded ? 1 : 0)));
-  write_chunk(Chunk::exact_position, Type::float64, kAxes, exact(&Sphere::position));
-  write_chunk(Chunk::exact_velocity, Type::float64, kAxes, exact(&Sphere::velocity));
-  write_unless_as_first(Chunk::exact_radius, Type::float64, 1, exact(&Sphere::radius));
-  write_unless_as_first(Chunk::exact_mass, Type::float64, 1, exact(&Sphere::mass));
-  write_unless_as_first(Chunk::id, Type::int64, 1,
-                        bytes_of_all(count, [&](std::string& bytes, std::size_t i) {
-                          append_little_endian(bytes, static_cast<std::uint64_t>(snapshot.id(i)));
-                        }));
-  write_unless_as_first(Chunk::spin, Type::float64, kAxes, exact(&Sphere::spin));
-  write_unless_as_first(Chunk::moment, Type::float64, 1, exact(&Sphere::inertia_factor));
+  write_unless_as_first(Chunk::origin, column_of(box.low));
+  write_unless_as_first(Chunk::size, column_of(box.size));
+  write_unless_as_first(Chunk::unbounded, row_of(static_cast<std::uint8_t>(box.is_unbounded)));
+  write_chunk(Chunk::exact_position, exact(&Sphere::position));
+  write_chunk(Chunk::exact_velocity, exact(&Sphere::velocity));
+  write_unless_as_first(Chunk::exact_radius, exact(&Sphere::radius));
+  write_unless_as_first(Chunk::exact_mass, exact(&Sphere::mass));
+  write_unless_as_first(Chunk::id, rows_of(count, [&](std::size_t i) { return snapshot.id(i); }));
+  write_unless_as_first(Chunk::spin, exact(&Sphere::spin));
+  write_unless_as_first(Chunk::moment, exact(&Sphere::inertia_factor));
   write_bonds(snapshot);
   if (frame == 0) first_count_ = count;
   write_entries();
 }
 
-// Only where there are any, now or in the first frame, and the file has names for them.
+// Only where there are any, now or in the first frame.
 void GsdTrajectory::write_bonds(const Snapshot& snapshot) {
-  if (name_count_ < gsd::kChunkNames.size()) return;
   if (snapshot.bonds.empty() && first_[static_cast<std::size_t>(Chunk::bonds)].empty()) return;
   const std::size_t count = snapshot.bonds.size();
-  std::string bytes;
-  append_little_endian(bytes, static_cast<std::uint32_t>(count));
-  write_unless_as_first(Chunk::bond_count, Type::uint32, 1, bytes);
+  write_unless_as_first(Chunk::bond_count, row_of(static_cast<std::uint32_t>(count)));
   if (count == 0) return;
-  write_unless_as_first(Chunk::bond_types, Type::int8, 2, std::string("A\0", 2));
-  write_unless_as_first(Chunk::bond_type_id, Type::uint32, 1, std::string(4 * count, '\0'));
-  write_unless_as_first(Chunk::bonds, Type::uint32, 2,
-                        bytes_of_all(count, [&](std::string& pairs, std::size_t i) {
-                          for (const std::int64_t id : snapshot.bonds[i])
-                            append_little_endian(pairs, static_cast<std::uint32_t>(snapshot.sphere_of(id)));
-                        }));
+  write_unless_as_first(Chunk::bond_types, {Type::int8, 2, std::string("A\0", 2)});
+  write_unless_as_first(Chunk::bond_type_id, rows_of(count, [](std::size_t) { return std::uint32_t{0}; }));
+  gsd::Rows pairs = rows_of(2 * count, [&](std::size_t i) {
+    return static_cast<std::uint32_t>(snapshot.sphere_of(snapshot.bonds[i / 2][i % 2]));
+  });
+  pairs.columns = 2;
+  write_unless_as_first(Chunk::bonds, std::move(pairs));
 }
 
-void GsdTrajectory::write_chunk(Chunk chunk, Type type, std::size_t columns, const std::string& bytes) {
+void GsdTrajectory::write_chunk(Chunk chunk, const gsd::Rows& rows) {
   gsd::Entry entry;
   entry.frame = frame_;
-  entry.columns = static_cast<std::uint32_t>(columns);
+  entry.columns = rows.columns;
   entry.name = static_cast<std::uint16_t>(chunk);
-  entry.type = static_cast<std::uint8_t>(type);
-  entry.rows = bytes.size() / (columns * gsd::bytes_of(entry.type));
+  entry.type = static_cast<std::uint8_t>(rows.type);
+  entry.rows = rows.bytes.size() / (rows.columns * gsd::bytes_of(entry.type));
   entry.location = file_.size();
-  file_.append(bytes);
+  file_.append(rows.bytes);
   new_entries_.push_back(entry);
 }
 
-void GsdTrajectory::write_unless_as_first(Chunk chunk, Type type, std::size_t columns, std::string bytes) {
+void GsdTrajectory::write_unless_as_first(Chunk chunk, gsd::Rows rows) {
   std::string& first = first_[static_cast<std::size_t>(chunk)];
-  if (frame_ > 0 && !is_repeated_ && bytes == first) return;
-  write_chunk(chunk, type, columns, bytes);
-  if (frame_ == 0) first = std::move(bytes);
+  if (frame_ > 0 && !is_repeated_ && rows.bytes == first) return;
+  write_chunk(chunk, rows);
+  if (frame_ == 0) first = std::move(rows.bytes);
 }
 
 // Makes readers see the frame, whose chunks are in the file already.

@@ -37,16 +37,15 @@ class GsdTrajectory final : public FrameWriter {
   OutputFile create(const std::filesystem::path& path);
   OutputFile open(const std::filesystem::path& path, const TrajectoryPosition& position);
   void cut_back();
-  void write_chunk(gsd::Chunk chunk, gsd::Type type, std::size_t columns, const std::string& bytes);
-  void write_unless_as_first(gsd::Chunk chunk, gsd::Type type, std::size_t columns, std::string bytes);
+  void write_chunk(gsd::Chunk chunk, const gsd::Rows& rows);
+  void write_unless_as_first(gsd::Chunk chunk, gsd::Rows rows);
   void write_bonds(const Snapshot& snapshot);
   void write_entries();
 
   gsd::Header header_;
-  std::size_t name_count_ = gsd::kChunkNames.size();  // of the names of chunks in the file
-  std::uint64_t frame_ = 0;                           // being written
-  std::vector<gsd::Entry> entries_;                   // in the file
-  std::vector<gsd::Entry> new_entries_;               // of the frame being written
+  std::uint64_t frame_ = 0;              // being written
+  std::vector<gsd::Entry> entries_;      // in the file
+  std::vector<gsd::Entry> new_entries_;  // of the frame being written
   std::array<std::string, gsd::kChunkNames.size()>
       first_;                               // the first frame's chunks that may not be repeated
   std::optional<std::size_t> first_count_;  // of its spheres

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/trajectory/lammps_data.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,11 +28,11 @@ double sphere_volume(double radius) {
 
 // --- writing ---
 
-std::string data_header(const Snapshot& snapshot, const SphereTypes& types) {
-  const SnapshotBox box = box_of(snapshot);
-  std::string text = "LAMMPS data file, atom style sphere, by Hardball\n\n" +
-                     to_text(snapshot.spheres.size()) + " atoms\n" + to_text(types.count()) +
-                     " atom types\n\n";
+void append_data_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
+                      std::uint64_t /*frame*/, const AppendText& append) {
+  const SnapshotBox box = box_of(head);
+  std::string text = "LAMMPS data file, atom style sphere, by Hardball\n\n" + to_text(spheres) + " atoms\n" +
+                     to_text(types.count()) + " atom types\n\n";
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::string name = kAxisNames[axis];
     append_text(text, axis == 0 ? box.corner().x : box.low[axis]);
@@ -43,7 +43,38 @@ std::string data_header(const Snapshot& snapshot, const SphereTypes& types) {
     append_text(text, box.tilt);
     text += "0 0 xy xz yz\n";
   }
-  return text;
+  append(text);
+}
+
+void append_data_spheres(const Snapshot& snapshot, const SphereTypes& types, const AppendText& append) {
+  const std::vector<Sphere>& spheres = snapshot.spheres;
+  if (spheres.empty()) return;
+  std::int64_t least = snapshot.id(0);
+  for (std::size_t i = 0; i < spheres.size(); ++i) least = std::min(least, snapshot.id(i));
+  const std::int64_t shift = std::max<std::int64_t>(1 - least, 0);
+  append("\nAtoms # sphere\n\n");
+  std::string line;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const Sphere& sphere = spheres[i];
+    line.clear();
+    append_text(line, snapshot.id(i) + shift);
+    append_text(line, types.type_of(sphere) + 1);
+    append_text(line, 2 * sphere.radius);
+    append_text(line, std::min(sphere.mass, kLargestMagnitude) / sphere_volume(sphere.radius));
+    append_text(line, sphere.position);
+    append_text(line, snapshot.image(i));
+    line.back() = '\n';
+    append(line);
+  }
+  append("\nVelocities\n\n");
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    line.clear();
+    append_text(line, snapshot.id(i) + shift);
+    append_text(line, spheres[i].velocity);
+    append_text(line, spheres[i].spin);
+    line.back() = '\n';
+    append(line);
+  }
 }
 
 // --- reading ---
@@ -271,37 +302,8 @@ Snapshot read_data_file(Lines& lines) {
 
 }  // namespace
 
-void append_lammps_data(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendText& append) {
-  const SphereTypes types(snapshot.spheres);
-  append(data_header(snapshot, types));
-  const std::vector<Sphere>& spheres = snapshot.spheres;
-  if (spheres.empty()) return;
-  std::int64_t least = snapshot.id(0);
-  for (std::size_t i = 0; i < spheres.size(); ++i) least = std::min(least, snapshot.id(i));
-  const std::int64_t shift = std::max<std::int64_t>(1 - least, 0);
-  append("\nAtoms # sphere\n\n");
-  std::string line;
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    const Sphere& sphere = spheres[i];
-    line.clear();
-    append_text(line, snapshot.id(i) + shift);
-    append_text(line, types.type_of(sphere) + 1);
-    append_text(line, 2 * sphere.radius);
-    append_text(line, std::min(sphere.mass, kLargestMagnitude) / sphere_volume(sphere.radius));
-    append_text(line, sphere.position);
-    append_text(line, snapshot.image(i));
-    line.back() = '\n';
-    append(line);
-  }
-  append("\nVelocities\n\n");
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    line.clear();
-    append_text(line, snapshot.id(i) + shift);
-    append_text(line, spheres[i].velocity);
-    append_text(line, spheres[i].spin);
-    line.back() = '\n';
-    append(line);
-  }
+TextFrame lammps_data_frame() {
+  return {append_data_head, append_data_spheres, false};
 }
 
 TextFormat lammps_data_format() {

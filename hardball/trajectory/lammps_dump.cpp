@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/trajectory/lammps_dump.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 
 #include <algorithm>
 #include <array>
@@ -47,6 +47,34 @@ std::string dump_header(const Snapshot& snapshot, std::size_t spheres, const Sph
   if (types.are_finer_than_species()) text += " species_id";
   if (snapshot.has_spins) text += " omegax omegay omegaz moment";
   return text + "\n";
+}
+
+void append_dump_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
+                      std::uint64_t frame, const AppendText& append) {
+  append(dump_header(head, spheres, types, frame));
+}
+
+void append_dump_spheres(const Snapshot& snapshot, const SphereTypes& types, const AppendText& append) {
+  const bool has_species = types.are_finer_than_species();
+  std::string line;
+  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
+    const Sphere& sphere = snapshot.spheres[i];
+    line.clear();
+    append_text(line, snapshot.id(i));
+    append_text(line, types.type_of(sphere) + 1);
+    append_text(line, sphere.position);
+    append_text(line, snapshot.image(i));
+    append_text(line, sphere.velocity);
+    append_text(line, sphere.radius);
+    append_text(line, sphere.mass);
+    if (has_species) append_text(line, sphere.species + 1);
+    if (snapshot.has_spins) {
+      append_text(line, sphere.spin);
+      append_text(line, sphere.inertia_factor);
+    }
+    line.back() = '\n';
+    append(line);
+  }
 }
 
 // --- reading ---
@@ -233,39 +261,8 @@ Snapshot read_lammps_frame(Lines& lines) {
 
 }  // namespace
 
-void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append) {
-  const SphereTypes types(snapshot.spheres);
-  append_lammps_dump_head(snapshot, snapshot.spheres.size(), types, frame, append);
-  append_lammps_dump_spheres(snapshot, types, append);
-}
-
-void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
-                             std::uint64_t frame, const AppendText& append) {
-  append(dump_header(head, spheres, types, frame));
-}
-
-void append_lammps_dump_spheres(const Snapshot& snapshot, const SphereTypes& types,
-                                const AppendText& append) {
-  const bool has_species = types.are_finer_than_species();
-  std::string line;
-  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
-    const Sphere& sphere = snapshot.spheres[i];
-    line.clear();
-    append_text(line, snapshot.id(i));
-    append_text(line, types.type_of(sphere) + 1);
-    append_text(line, sphere.position);
-    append_text(line, snapshot.image(i));
-    append_text(line, sphere.velocity);
-    append_text(line, sphere.radius);
-    append_text(line, sphere.mass);
-    if (has_species) append_text(line, sphere.species + 1);
-    if (snapshot.has_spins) {
-      append_text(line, sphere.spin);
-      append_text(line, sphere.inertia_factor);
-    }
-    line.back() = '\n';
-    append(line);
-  }
+TextFrame lammps_dump_frame() {
+  return {append_dump_head, append_dump_spheres};
 }
 
 TextFormat lammps_dump_format() {

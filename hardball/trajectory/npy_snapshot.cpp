@@ -31,13 +31,13 @@ struct Column {
 
 // Columns for the numbers of a field, which may be those of a vector.
 void add_columns(const NpyField& field, std::vector<Column>& columns) {
-  static const std::map<std::string_view, std::array<std::string_view, kAxes>> kVectors{
+  static const std::map<std::string_view, std::array<std::string_view, kAxes>> kFields{
       {"position", {"x", "y", "z"}},
       {"velocity", {"vx", "vy", "vz"}},
       {"angular_velocity", {"omegax", "omegay", "omegaz"}},
       {"image", {"ix", "iy", "iz"}}};
-  const auto vector = kVectors.find(field.name);
-  if (vector != kVectors.end() && field.count == kAxes) {
+  const auto vector = kFields.find(field.name);
+  if (vector != kFields.end() && field.count == kAxes) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       columns.push_back({vector->second[axis], field.kind, field.bytes, field.offset + axis * field.bytes});
     }
@@ -90,6 +90,49 @@ std::int64_t whole_at(const char* item, const Column& column, const std::string&
   constexpr double kMax = 0x1p53;
   if (std::fabs(number) <= kMax && std::trunc(number) == number) return static_cast<std::int64_t>(number);
   throw Error(std::string(column.name) + " is " + to_text(number), location, "give an integer");
+}
+
+void append_npy_head(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
+                     std::uint64_t /*frame*/, const AppendText& append) {
+  std::string fields =
+      "('id', '<i8'), ('type', '<i4'), ('x', '<f8'), ('y', '<f8'), ('z', '<f8'), ('vx', '<f8'), "
+      "('vy', '<f8'), ('vz', '<f8'), ('radius', '<f8'), ('mass', '<f8'), ('ix', '<i4'), ('iy', '<i4'), "
+      "('iz', '<i4')";
+  if (types.are_finer_than_species()) fields += ", ('species_id', '<i4')";
+  if (head.has_spins)
+    fields += ", ('omegax', '<f8'), ('omegay', '<f8'), ('omegaz', '<f8'), ('moment', '<f8')";
+  std::string text =
+      "{'descr': [" + fields + "], 'fortran_order': False, 'shape': (" + to_text(spheres) + ",), }";
+  constexpr std::size_t kPrefix = 10;
+  constexpr std::size_t kAlignment = 64;
+  text.resize((kPrefix + text.size() + kAlignment) / kAlignment * kAlignment - kPrefix - 1, ' ');
+  text += '\n';
+  std::string bytes = "\x93NUMPY";
+  bytes += {'\x01', '\x00'};
+  append_little_endian(bytes, static_cast<std::uint16_t>(text.size()));
+  append(bytes + text);
+}
+
+void append_npy_spheres(const Snapshot& snapshot, const SphereTypes& types, const AppendText& append) {
+  const bool has_species = types.are_finer_than_species();
+  std::string bytes;
+  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
+    const Sphere& sphere = snapshot.spheres[i];
+    bytes.clear();
+    append_little_endian(bytes, snapshot.id(i));
+    append_little_endian(bytes, static_cast<std::int32_t>(types.type_of(sphere) + 1));
+    append_little_endian(bytes, sphere.position);
+    append_little_endian(bytes, sphere.velocity);
+    append_little_endian(bytes, sphere.radius);
+    append_little_endian(bytes, sphere.mass);
+    append_little_endian(bytes, snapshot.image(i));
+    if (has_species) append_little_endian(bytes, std::int32_t{sphere.species} + 1);
+    if (snapshot.has_spins) {
+      append_little_endian(bytes, sphere.spin);
+      append_little_endian(bytes, sphere.inertia_factor);
+    }
+    append(bytes);
+  }
 }
 
 }  // namespace
@@ -154,46 +197,8 @@ Snapshot NpySnapshotReader::read(std::size_t /*frame*/) {
   return snapshot;
 }
 
-void append_npy(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendText& append) {
-  const SphereTypes types(snapshot.spheres);
-  const bool has_species = types.are_finer_than_species();
-  std::string fields =
-      "('id', '<i8'), ('type', '<i4'), ('x', '<f8'), ('y', '<f8'), ('z', '<f8'), ('vx', '<f8'), "
-      "('vy', '<f8'), ('vz', '<f8'), ('radius', '<f8'), ('mass', '<f8'), ('ix', '<i4'), ('iy', '<i4'), "
-      "('iz', '<i4')";
-  if (has_species) fields += ", ('species_id', '<i4')";
-  if (snapshot.has_spins)
-    fields += ", ('omegax', '<f8'), ('omegay', '<f8'), ('omegaz', '<f8'), ('moment', '<f8')";
-  std::string text = "{'descr': [" + fields + "], 'fortran_order': False, 'shape': (" +
-                     to_text(snapshot.spheres.size()) + ",), }";
-  constexpr std::size_t kPrefix = 10;
-  constexpr std::size_t kAlignment = 64;
-  text.resize((kPrefix + text.size() + kAlignment) / kAlignment * kAlignment - kPrefix - 1, ' ');
-  text += '\n';
-  std::string bytes = "\x93NUMPY";
-  bytes += {'\x01', '\x00'};
-  append_little_endian(bytes, static_cast<std::uint16_t>(text.size()));
-  append(bytes + text);
-  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
-    const Sphere& sphere = snapshot.spheres[i];
-    const Image image = snapshot.image(i);
-    bytes.clear();
-    append_little_endian(bytes, static_cast<std::uint64_t>(snapshot.id(i)));
-    append_little_endian(bytes, static_cast<std::uint32_t>(types.type_of(sphere) + 1));
-    for (const Vec3& vector : {sphere.position, sphere.velocity}) {
-      for (std::size_t axis = 0; axis < kAxes; ++axis) append_little_endian(bytes, vector[axis]);
-    }
-    append_little_endian(bytes, sphere.radius);
-    append_little_endian(bytes, sphere.mass);
-    for (std::size_t axis = 0; axis < kAxes; ++axis)
-      append_little_endian(bytes, static_cast<std::uint32_t>(image[axis]));
-    if (has_species) append_little_endian(bytes, static_cast<std::uint32_t>(sphere.species + 1));
-    if (snapshot.has_spins) {
-      for (std::size_t axis = 0; axis < kAxes; ++axis) append_little_endian(bytes, sphere.spin[axis]);
-      append_little_endian(bytes, sphere.inertia_factor);
-    }
-    append(bytes);
-  }
+TextFrame npy_frame() {
+  return {append_npy_head, append_npy_spheres};
 }
 
 }  // namespace hardball

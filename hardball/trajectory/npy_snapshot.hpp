@@ -14,7 +14,7 @@ namespace hardball {
 /// Writes a NumPy file: a structured array with an item for each sphere and the fields `id type x y z vx vy
 /// vz radius mass ix iy iz`, where types are finer than species `species_id` and, where spheres spin,
 /// `omegax omegay omegaz moment`.
-void append_npy(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
+TextFrame npy_frame();
 
 /// Reads the spheres of a NumPy file: a structured array with such fields (see SphereColumns), or with
 /// `position`, `velocity`, `angular_velocity` and `image` of three numbers each; or a plain array of shape

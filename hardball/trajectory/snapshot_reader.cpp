@@ -7,14 +7,10 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/zstd.hpp"
-#include "hardball/trajectory/extended_xyz_reader.hpp"
 #include "hardball/trajectory/gsd_reader.hpp"
-#include "hardball/trajectory/lammps_data.hpp"
-#include "hardball/trajectory/lammps_dump.hpp"
 #include "hardball/trajectory/npy_snapshot.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
-#include "hardball/trajectory/sph.hpp"
-#include "hardball/trajectory/sphere_csv.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 
 namespace hardball {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/trajectory/sph.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 
 #include <string>
 #include <vector>
@@ -70,14 +70,17 @@ Snapshot read_sph_frame(Lines& lines) {
   return snapshot;
 }
 
-}  // namespace
+void append_sph_head(const Snapshot& head, std::size_t spheres, const SphereTypes& /*types*/,
+                     std::uint64_t /*frame*/, const AppendText& append) {
+  std::string text = to_text(spheres) + "\n";
+  append_text(text, box_of(head).size);
+  text.back() = '\n';
+  append(text);
+}
 
-void append_sph(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendText& append) {
+void append_sph_spheres(const Snapshot& snapshot, const SphereTypes& /*types*/, const AppendText& append) {
   const SnapshotBox box = box_of(snapshot);
-  std::string line = to_text(snapshot.spheres.size()) + "\n";
-  append_text(line, box.size);
-  line.back() = '\n';
-  append(line);
+  std::string line;
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     const Sphere& sphere = snapshot.spheres[i];
     line = {static_cast<char>('a' + sphere.species % kLetters), ' '};
@@ -89,6 +92,12 @@ void append_sph(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
     line.back() = '\n';
     append(line);
   }
+}
+
+}  // namespace
+
+TextFrame sph_frame() {
+  return {append_sph_head, append_sph_spheres};
 }
 
 TextFormat sph_format() {

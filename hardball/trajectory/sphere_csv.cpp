@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/trajectory/sphere_csv.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -157,13 +157,15 @@ Snapshot read_table(Lines& lines) {
   return snapshot;
 }
 
-}  // namespace
+void append_csv_head(const Snapshot& head, std::size_t /*spheres*/, const SphereTypes& types,
+                     std::uint64_t /*frame*/, const AppendText& append) {
+  append(std::string("id,type,x,y,z,vx,vy,vz,radius,mass,ix,iy,iz") +
+         (types.are_finer_than_species() ? ",species_id" : "") +
+         (head.has_spins ? ",omegax,omegay,omegaz,moment" : "") + "\n");
+}
 
-void append_csv(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendText& append) {
-  const SphereTypes types(snapshot.spheres);
+void append_csv_spheres(const Snapshot& snapshot, const SphereTypes& types, const AppendText& append) {
   const bool has_species = types.are_finer_than_species();
-  append(std::string("id,type,x,y,z,vx,vy,vz,radius,mass,ix,iy,iz") + (has_species ? ",species_id" : "") +
-         (snapshot.has_spins ? ",omegax,omegay,omegaz,moment" : "") + "\n");
   std::string line;
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     const Sphere& sphere = snapshot.spheres[i];
@@ -184,6 +186,12 @@ void append_csv(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
     line.back() = '\n';
     append(line);
   }
+}
+
+}  // namespace
+
+TextFrame csv_frame() {
+  return {append_csv_head, append_csv_spheres};
 }
 
 TextFormat csv_format() {

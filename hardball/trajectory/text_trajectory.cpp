@@ -8,6 +8,13 @@
 
 namespace hardball {
 
+void append_text_frame(const TextFrame& text, const Snapshot& snapshot, std::uint64_t frame,
+                       const AppendText& append) {
+  const SphereTypes types(snapshot.spheres);
+  text.head(snapshot, snapshot.spheres.size(), types, frame, append);
+  text.spheres(snapshot, types, append);
+}
+
 TextTrajectory::TextTrajectory(std::filesystem::path path, const TextFrame& text, bool is_compressed,
                                const std::optional<TrajectoryPosition>& position)
     : file_(position ? OutputFile(std::move(path), position->file) : OutputFile(std::move(path))),
@@ -17,11 +24,11 @@ TextTrajectory::TextTrajectory(std::filesystem::path path, const TextFrame& text
 TextTrajectory::~TextTrajectory() = default;
 
 void TextTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
-  append_frame([&](const AppendText& append) { text_.whole(snapshot, frame, append); });
+  append_frame([&](const AppendText& append) { append_text_frame(text_, snapshot, frame, append); });
 }
 
 void TextTrajectory::append(const FrameParts& parts, std::uint64_t frame) {
-  if (!text_.spheres) return FrameWriter::append(parts, frame);
+  if (!text_.takes_parts) return FrameWriter::append(parts, frame);
   append_frame([&](const AppendText& append) {
     text_.head(parts.head, parts.spheres, parts.types, frame, append);
     while (const std::optional<Snapshot> part = parts.next()) text_.spheres(*part, parts.types, append);

@@ -20,21 +20,20 @@ class ZstdCompressor;
 
 /// Takes the next bytes of a file.
 using AppendText = std::function<void(std::string_view)>;
-/// Passes on the bytes of a frame.
-using AppendFrame = void (*)(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
-/// Passes on what precedes the spheres of a frame, given their number and types; the spheres of `head` do not
-/// matter.
-using AppendHead = void (*)(const Snapshot& head, std::size_t spheres, const SphereTypes& types,
-                            std::uint64_t frame, const AppendText& append);
-/// Passes on some of the spheres of a frame; the types are those of all.
-using AppendSpheres = void (*)(const Snapshot& part, const SphereTypes& types, const AppendText& append);
-
-/// How a frame is written: as a whole or, where there are functions for that, in parts.
+/// How a frame is written.
 struct TextFrame {
-  AppendFrame whole = nullptr;
-  AppendHead head = nullptr;
-  AppendSpheres spheres = nullptr;
+  /// Passes on what precedes the spheres of a frame, given their number and types; the spheres of `head` do
+  /// not matter.
+  void (*head)(const Snapshot& head, std::size_t spheres, const SphereTypes& types, std::uint64_t frame,
+               const AppendText& append);
+  /// Passes on the spheres of a frame, or some of them; the types are those of all.
+  void (*spheres)(const Snapshot& part, const SphereTypes& types, const AppendText& append);
+  bool takes_parts = true;  ///< Whether spheres may come in parts.
 };
+
+/// Passes on the bytes of a whole frame.
+void append_text_frame(const TextFrame& text, const Snapshot& snapshot, std::uint64_t frame,
+                       const AppendText& append);
 
 /// A file in which frames follow each other, each in one piece, plain or compressed by zstd. Compressed
 /// frames do not depend on each other, so that the file can be cut after any.

@@ -5,13 +5,9 @@
 #include <system_error>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/trajectory/extended_xyz_writer.hpp"
 #include "hardball/trajectory/gsd_trajectory.hpp"
-#include "hardball/trajectory/lammps_data.hpp"
-#include "hardball/trajectory/lammps_dump.hpp"
 #include "hardball/trajectory/npy_snapshot.hpp"
-#include "hardball/trajectory/sph.hpp"
-#include "hardball/trajectory/sphere_csv.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 #include "hardball/trajectory/text_trajectory.hpp"
 #include "hardball/trajectory/vtp_trajectory.hpp"
 
@@ -26,21 +22,21 @@ std::unique_ptr<FrameWriter> make_writer(const std::filesystem::path& path, Snap
   switch (format) {
     case SnapshotFormat::extended_xyz:
     case SnapshotFormat::extended_xyz_zst:
-      return text(kExtendedXyz);
+      return text(extended_xyz_frame());
     case SnapshotFormat::gsd:
       return std::make_unique<GsdTrajectory>(path, position);
     case SnapshotFormat::lammps:
-      return text(kLammpsDump);
+      return text(lammps_dump_frame());
     case SnapshotFormat::vtp:
       return std::make_unique<VtpTrajectory>(path, position);
     case SnapshotFormat::csv:
-      return text({.whole = append_csv});
+      return text(csv_frame());
     case SnapshotFormat::npy:
-      return text({.whole = append_npy});
+      return text(npy_frame());
     case SnapshotFormat::sph:
-      return text({.whole = append_sph});
+      return text(sph_frame());
     case SnapshotFormat::lammps_data:
-      return text({.whole = append_lammps_data});
+      return text(lammps_data_frame());
   }
   return nullptr;
 }

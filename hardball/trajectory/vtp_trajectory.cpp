@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "hardball/io/output_file.hpp"
 #include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
+#include "hardball/io/xml_text.hpp"
 #include "hardball/trajectory/sphere_types.hpp"
 
 namespace hardball {
@@ -49,54 +51,20 @@ void remove_frames(const std::filesystem::path& folder, const std::string& first
   for (const std::filesystem::path& frame : frames) std::filesystem::remove(frame, ignored);
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
-void append_words(std::string& bytes, std::int64_t number) {
-  append_little_endian(bytes, static_cast<std::uint64_t>(number));
-}
-void append_words(std::string& bytes, double number) {
-  append_little_endian(bytes, number);
-}
-void append_words(std::string& bytes, const Vec3& vector) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) append_words(bytes, vector[axis]);
-}
-void append_words(std::string& bytes, const Image& image) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) append_words(bytes, std::int64_t{image[axis]});
-}
-
-// An array of the file: its description, and its values as they follow the XML.
+// The arrays of the file: their descriptions, and their values as they follow the XML.
 struct Arrays {
   explicit Arrays(std::size_t spheres) : count(spheres) {}
 
-  // The XML of an array with these values of all spheres.
+  // The XML of an array with these values of all spheres: numbers of eight bytes, or vectors of them.
   template <class Value>
-  std::string add(const char* name, const char* type, std::size_t components, const Value& value) {
-    const std::string xml = std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
-                            "\" NumberOfComponents=\"" + to_text(components) +
+  std::string add(const char* name, const Value& value) {
+    using Row = std::remove_cvref_t<decltype(value(0))>;
+    constexpr bool kIsReal = std::is_same_v<Row, double> || std::is_same_v<Row, Vec3>;
+    const std::string xml = std::string("<DataArray type=\"") + (kIsReal ? "Float64" : "Int64") +
+                            "\" Name=\"" + name + "\" NumberOfComponents=\"" + to_text(sizeof(Row) / 8) +
                             "\" format=\"appended\" offset=\"" + to_text(values.size()) + "\"/>\n";
-    append_little_endian(values, static_cast<std::uint64_t>(count * components * 8));
-    for (std::size_t i = 0; i < count; ++i) append_words(values, value(i));
+    append_little_endian(values, static_cast<std::uint64_t>(count * sizeof(Row)));
+    for (std::size_t i = 0; i < count; ++i) append_little_endian(values, value(i));
     return xml;
   }
 
@@ -107,8 +75,8 @@ struct Arrays {
 std::string vtp_text(const Snapshot& snapshot) {
   const std::vector<Sphere>& spheres = snapshot.spheres;
   Arrays arrays(spheres.size());
-  const auto of_spheres = [&](const char* name, std::size_t components, auto member) {
-    return arrays.add(name, "Float64", components, [&](std::size_t i) { return spheres[i].*member; });
+  const auto of_spheres = [&](const char* name, auto member) {
+    return arrays.add(name, [&](std::size_t i) { return spheres[i].*member; });
   };
   const std::string count = to_text(spheres.size());
   std::string text =
@@ -122,27 +90,28 @@ std::string vtp_text(const Snapshot& snapshot) {
   text += "<Piece NumberOfPoints=\"" + count + "\" NumberOfVerts=\"" + count +
           "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
           "<PointData Scalars=\"radius\" Vectors=\"velocity\">\n";
-  text += of_spheres("radius", 1, &Sphere::radius);
-  text += of_spheres("velocity", kAxes, &Sphere::velocity);
-  text += of_spheres("mass", 1, &Sphere::mass);
-  text += arrays.add("id", "Int64", 1, [&](std::size_t i) { return snapshot.id(i); });
+  text += of_spheres("radius", &Sphere::radius);
+  text += of_spheres("velocity", &Sphere::velocity);
+  text += of_spheres("mass", &Sphere::mass);
+  text += arrays.add("id", [&](std::size_t i) { return snapshot.id(i); });
   const SphereTypes types(spheres);
-  text += arrays.add("type", "Int64", 1,
+  text += arrays.add("type",
                      [&](std::size_t i) { return static_cast<std::int64_t>(types.type_of(spheres[i])) + 1; });
-  if (types.are_finer_than_species()) {
-    text += arrays.add("species_id", "Int64", 1,
-                       [&](std::size_t i) { return std::int64_t{spheres[i].species} + 1; });
-  }
-  text += arrays.add("image", "Int64", kAxes, [&](std::size_t i) { return snapshot.image(i); });
+  if (types.are_finer_than_species())
+    text += arrays.add("species_id", [&](std::size_t i) { return std::int64_t{spheres[i].species} + 1; });
+  text += arrays.add("image", [&](std::size_t i) {
+    const Image image = snapshot.image(i);
+    return VectorOf<std::int64_t>{image[0], image[1], image[2]};
+  });
   if (snapshot.has_spins) {
-    text += of_spheres("angular_velocity", kAxes, &Sphere::spin);
-    text += of_spheres("moment", 1, &Sphere::inertia_factor);
+    text += of_spheres("angular_velocity", &Sphere::spin);
+    text += of_spheres("moment", &Sphere::inertia_factor);
   }
   text += "</PointData>\n<Points>\n";
-  text += of_spheres("points", kAxes, &Sphere::position);
+  text += of_spheres("points", &Sphere::position);
   text += "</Points>\n<Verts>\n";
-  text += arrays.add("connectivity", "Int64", 1, [](std::size_t i) { return static_cast<std::int64_t>(i); });
-  text += arrays.add("offsets", "Int64", 1, [](std::size_t i) { return static_cast<std::int64_t>(i + 1); });
+  text += arrays.add("connectivity", [](std::size_t i) { return static_cast<std::int64_t>(i); });
+  text += arrays.add("offsets", [](std::size_t i) { return static_cast<std::int64_t>(i + 1); });
   text += "</Verts>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
   return text + arrays.values + "\n</AppendedData>\n</VTKFile>\n";
 }
@@ -240,7 +209,7 @@ void VtpTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
   file.close();
   entries_ += std::string(kEntry) + "timestep=\"" +
               to_text(snapshot.time.value_or(static_cast<double>(frame))) + "\" file=\"" +
-              escaped((folder.filename() / frame_name(frame)).generic_string()) + "\"/>\n";
+              xml_escaped((folder.filename() / frame_name(frame)).generic_string()) + "\"/>\n";
   ++frames_;
   if (frames_ - listed_ > listed_ / kShare) flush();
 }

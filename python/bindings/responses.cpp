@@ -151,6 +151,12 @@ void bind_contact(py::module_& module) {
   const auto vector = [](auto member) {
     return [member](const Contact& self) { return array_of(self.*member); };
   };
+  const auto vectors = [](auto member) {
+    return [member](const Contact& self) { return pair_of((self.*member).first, (self.*member).second); };
+  };
+  const auto both = [](auto first, auto second) {
+    return [first, second](const Contact& self) { return py::make_tuple(self.*first, self.*second); };
+  };
   py::class_<Contact>(module, "Contact", doc::Contact)
       .def_property_readonly(
           "time", [](const Contact& self) { return self.time.value(); }, "[T]")
@@ -168,32 +174,24 @@ void bind_contact(py::module_& module) {
           "normal", [](const Contact& self) { return array_of(self.normal()); }, doc::Contact_normal)
       .def_property_readonly(
           "point", [](const Contact& self) { return array_of(self.point()); }, doc::Contact_point)
+      .def_property_readonly("radii", both(&Contact::first_radius, &Contact::second_radius),
+                             "The radii of both bodies, zero for a wall [L].")
+      .def_property_readonly("masses", both(&Contact::first_mass, &Contact::second_mass),
+                             "The masses of both bodies, infinite for a wall and a kinematic sphere [M].")
+      .def_property_readonly("species", both(&Contact::first_species, &Contact::second_species),
+                             "The species of both bodies, zero for a wall.")
       .def_property_readonly(
-          "radii", [](const Contact& self) { return py::make_tuple(self.first_radius, self.second_radius); },
-          "The radii of both bodies, zero for a wall [L].")
-      .def_property_readonly(
-          "masses", [](const Contact& self) { return py::make_tuple(self.first_mass, self.second_mass); },
-          "The masses of both bodies, infinite for a wall and a kinematic sphere [M].")
-      .def_property_readonly(
-          "species",
-          [](const Contact& self) { return py::make_tuple(self.first_species, self.second_species); },
-          "The species of both bodies, zero for a wall.")
-      .def_property_readonly(
-          "before", [](const Contact& self) { return pair_of(self.before.first, self.before.second); },
+          "before", vectors(&Contact::before),
           "The velocities of both bodies before the contact [L/T]; of a wall contact the second is the "
           "wall's.")
       .def_property_readonly(
-          "after", [](const Contact& self) { return pair_of(self.after.first, self.after.second); },
+          "after", vectors(&Contact::after),
           "The velocities of both bodies after the contact [L/T]; equal to `before` while the response is "
           "called.")
       .def_property_readonly(
-          "spins_before",
-          [](const Contact& self) { return pair_of(self.spins_before.first, self.spins_before.second); },
+          "spins_before", vectors(&Contact::spins_before),
           "The angular velocities of both bodies before the contact [1/T]; zero for a wall.")
-      .def_property_readonly(
-          "spins_after",
-          [](const Contact& self) { return pair_of(self.spins_after.first, self.spins_after.second); },
-          doc::Contact_spins_after)
+      .def_property_readonly("spins_after", vectors(&Contact::spins_after), doc::Contact_spins_after)
       .def_property_readonly(
           "outcome", [](const Contact& self) { return kOutcomes[static_cast<std::size_t>(self.outcome)]; },
           "'bounce', 'pass' or 'merge'.")

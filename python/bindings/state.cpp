@@ -7,6 +7,7 @@
 #include <optional>
 #include <ranges>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -29,20 +30,13 @@ namespace py = pybind11;
 namespace hardball::python {
 namespace {
 
-template <class Number, class Value>
-py::object numbers_by_id(const World& world, Value&& value) {
-  std::vector<Number> numbers;
-  numbers.reserve(world.size());
-  world.for_each_by_id([&](Slot slot) { numbers.push_back(value(slot)); });
-  return read_only(array_around(std::move(numbers)));
-}
-
+// value(slot) for all spheres, in the order of ids.
 template <class Value>
-py::object vectors_by_id(const World& world, Value&& value) {
-  std::vector<Vec3> vectors;
-  vectors.reserve(world.size());
-  world.for_each_by_id([&](Slot slot) { vectors.push_back(value(slot)); });
-  return read_only(array_around(std::move(vectors)));
+py::object by_id(const World& world, Value&& value) {
+  std::vector<std::remove_cvref_t<decltype(value(Slot{}))>> values;
+  values.reserve(world.size());
+  world.for_each_by_id([&](Slot slot) { values.push_back(value(slot)); });
+  return read_only(array_around(std::move(values)));
 }
 
 // The row of a sphere in all arrays. Error: there is no such sphere.
@@ -91,70 +85,47 @@ py::dict certificate(const PythonSimulation& self) {
   return all;
 }
 
-// Properties that are arrays in the order of ids.
+// Properties that are arrays in the order of ids, made of get(world, slot, now) for each sphere.
 void bind_arrays(SimulationClass& simulation) {
-  const auto of_world = [&](const char* name, auto make, const char* documentation) {
+  const auto array = [&](const char* name, auto get, const char* documentation) {
     simulation.def_property_readonly(
         name,
-        [name, make](PythonSimulation& self) {
-          return self.of_state(name,
-                               [&] { return make(self.simulation().world(), self.simulation().now()); });
+        [name, get](PythonSimulation& self) {
+          return self.of_state(name, [&] {
+            const World& world = self.simulation().world();
+            const Time& now = self.simulation().now();
+            return by_id(world, [&](Slot slot) { return get(world, slot, now); });
+          });
         },
         documentation);
   };
-  of_world(
-      "positions",
-      [](const World& world, const Time& now) {
-        return vectors_by_id(world, [&](Slot slot) { return world.position(slot, now); });
-      },
+  array(
+      "positions", [](const World& world, Slot slot, const Time& now) { return world.position(slot, now); },
       (std::string(doc::Simulation_positions) + " Row index_of(id) is the sphere with this id.").c_str());
-  of_world(
+  array(
       "unwrapped_positions",
-      [](const World& world, const Time& now) {
-        return vectors_by_id(world, [&](Slot slot) { return unwrapped_position(world, slot, now); });
-      },
+      [](const World& world, Slot slot, const Time& now) { return unwrapped_position(world, slot, now); },
       "All centers now as if they had never been folded into the box [L]. Shape (size, 3).");
-  of_world(
-      "velocities",
-      [](const World& world, const Time& now) {
-        return vectors_by_id(world, [&](Slot slot) { return world.velocity(slot, now); });
-      },
+  array(
+      "velocities", [](const World& world, Slot slot, const Time& now) { return world.velocity(slot, now); },
       "All velocities now, in the order of ids [L/T]. Shape (size, 3).");
-  of_world(
-      "spins",
-      [](const World& world, const Time&) {
-        return vectors_by_id(world, [&](Slot slot) { return world.spin(slot); });
-      },
+  array(
+      "spins", [](const World& world, Slot slot, const Time&) { return world.spin(slot); },
       "All angular velocities, in the order of ids [1/T]. Shape (size, 3).");
-  of_world(
-      "radii",
-      [](const World& world, const Time& now) {
-        return numbers_by_id<double>(world, [&](Slot slot) { return world.radius(slot, now); });
-      },
+  array(
+      "radii", [](const World& world, Slot slot, const Time& now) { return world.radius(slot, now); },
       "All radii, in the order of ids [L].");
-  of_world(
-      "masses",
-      [](const World& world, const Time&) {
-        return numbers_by_id<double>(world, [&](Slot slot) { return world.mass(slot); });
-      },
+  array(
+      "masses", [](const World& world, Slot slot, const Time&) { return world.mass(slot); },
       "All masses, in the order of ids [M]; infinite for kinematic spheres.");
-  of_world(
-      "moments",
-      [](const World& world, const Time&) {
-        return numbers_by_id<double>(world, [&](Slot slot) { return world.inertia_factor(slot); });
-      },
+  array(
+      "moments", [](const World& world, Slot slot, const Time&) { return world.inertia_factor(slot); },
       "Moments of inertia over mass and squared radius, in the order of ids [1].");
-  of_world(
-      "species",
-      [](const World& world, const Time&) {
-        return numbers_by_id<std::uint8_t>(world, [&](Slot slot) { return world.species(slot); });
-      },
+  array(
+      "species", [](const World& world, Slot slot, const Time&) { return world.species(slot); },
       "All species, in the order of ids.");
-  of_world(
-      "ids",
-      [](const World& world, const Time&) {
-        return numbers_by_id<std::uint32_t>(world, [&](Slot slot) { return world.id(slot); });
-      },
+  array(
+      "ids", [](const World& world, Slot slot, const Time&) { return world.id(slot); },
       "The ids of all spheres, ascending: 0 to size-1, until spheres are removed or merge. Row k of every "
       "array is the sphere ids[k]; index_of is the inverse.");
 }
@@ -183,15 +154,16 @@ void bind_numbers(SimulationClass& simulation) {
       "wall_contacts", [](const Simulation& self) { return self.tally().wall_contacts(); },
       "The number of contacts with walls so far.");
   number(
-      "energy", [](const Simulation& self) { return energy(self.world(), self.now()); }, doc::World_energy);
+      "energy", [](const Simulation& self) { return energy(self.world(), self.now()); },
+      "Kinetic, rotational and potential energy of all spheres [M L^2 T^-2]. The potential energy of gravity "
+      "is zero at the origin, and uses unwrapped positions in a periodic box. Cost: O(n).");
   number(
       "kinetic_energy", [](const Simulation& self) { return kinetic_energy(self.world(), self.now()); },
       "Sum of m v^2 / 2 [M L^2 T^-2]; without kinematic spheres. Cost: O(n).");
   number(
       "step_energy", [](const Simulation& self) { return step_energy(self.world()); },
       "The energy of all pairs of spheres that are inside of a step of their potential [M L^2 T^-2]; "
-      "`energy` "
-      "has it, too. Cost: O(n).");
+      "`energy` has it, too. Cost: O(n).");
   number(
       "bonds",
       [](const Simulation& self) {

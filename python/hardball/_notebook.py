@@ -5,12 +5,10 @@
 from __future__ import annotations
 
 from html import escape
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from ._simulation import Simulation
+from . import _hardball
 
 _WIDTH = 320  # pixels
 _MOST_SPHERES = 3000  # more are thinned out, evenly
@@ -18,7 +16,7 @@ _SLOW = np.array([49.0, 84.0, 160.0])  # colors of the slowest and the fastest s
 _FAST = np.array([214.0, 82.0, 49.0])
 
 
-def picture_of(simulation: Simulation) -> str:
+def picture_of(simulation: _hardball.Simulation) -> str:
     """The spheres seen along z, the highest in front, colored by their speed, as SVG."""
     positions = simulation.positions
     radii = simulation.radii
@@ -52,7 +50,7 @@ def picture_of(simulation: Simulation) -> str:
     )
 
 
-def html_of(simulation: Simulation) -> str:
+def html_of(simulation: _hardball.Simulation) -> str:
     """The picture beside the numbers."""
     certificate = simulation.certificate
     rows = {

@@ -11,14 +11,11 @@ import webbrowser
 from html import escape
 from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from . import _hardball
 from ._arguments import path_text
-
-if TYPE_CHECKING:
-    from ._simulation import Simulation
 
 _CONTACTS_OF_EACH_SPHERE = 10
 _FEWEST_CONTACTS = 100
@@ -60,7 +57,7 @@ class View:
         return f'<iframe srcdoc="{page}" style="{style}" allowfullscreen></iframe>'
 
 
-def view_of(simulation: Simulation, until: float | None, contacts: int | None) -> View:
+def view_of(simulation: _hardball.Simulation, until: float | None, contacts: int | None) -> View:
     """What happens next, up to these limits or usual ones."""
     if until is None and contacts is None:
         contacts = max(_FEWEST_CONTACTS, _CONTACTS_OF_EACH_SPHERE * len(simulation) // 2)
@@ -81,7 +78,7 @@ def is_notebook() -> bool:
 
 
 # The time in which there is something to see, even if nothing ever touches [T].
-def _usual_span(simulation: Simulation) -> float:
+def _usual_span(simulation: _hardball.Simulation) -> float:
     positions = simulation.positions
     if len(positions) == 0:
         return 1.0

@@ -97,14 +97,25 @@ bool queries_answer() {
                  .size() == 32;
 }
 
+bool theory_answers() {
+  const hardball::Simulation simulation = gas();
+  double mean_free_time = 0;
+  hardball::in_all(hardball::one_process(), [&] {
+    mean_free_time = hardball::mean_free_time(hardball::gas_statistics(simulation.world(), simulation.now()));
+  });
+  return mean_free_time > 0 &&
+         hardball::thermal_motion(simulation.world(), simulation.now()).temperature() > 0 &&
+         !hardball::FluidTheory().holds() && !hardball::scenario_schema().empty();
+}
+
 }  // namespace
 
 int main(int /*count*/, char** arguments) {
   static_assert(HARDBALL_VERSION_MAJOR >= 0);
   const fs::path folder = std::string(arguments[0]) + ".files";
   fs::create_directories(folder);
-  const bool as_expected =
-      spheres_collide() && bad_input_is_refused() && files_are_read(folder) && queries_answer();
+  const bool as_expected = spheres_collide() && bad_input_is_refused() && files_are_read(folder) &&
+                           queries_answer() && theory_answers();
   fs::remove_all(folder);
   return as_expected ? 0 : 1;
 }

@@ -223,9 +223,7 @@ Report shaken_report() {
                       .area = 25,
                       .force = 2.5,
                       .pressure = 0.1,
-                      .work = 3.5,
-                      .force_error = 0.13,
-                      .pressure_error = 0.005},
+                      .work = 3.5},
                      {.name = "drum <1>", .shape = "cylinder", .contacts = 7, .force = 1.25, .work = -0.5}};
   report.final_energy = report.initial_energy + 3;
   return report;
@@ -239,8 +237,8 @@ TEST(Report, HasASectionOfEachSurface) {
   expect_in(html, "<h3 id=\"surface-0\">floor</h3>");
   expect_in(html, "<th scope=\"row\">contacts</th><td>12,345</td>");
   expect_in(html, "<th scope=\"row\">area</th><td>25 <span");
-  expect_in(html, "<th scope=\"row\">mean force on it</th><td>2.50(13) <span");
-  expect_in(html, "<th scope=\"row\">pressure on it</th><td>0.1000(50) <span");
+  expect_in(html, "<th scope=\"row\">mean force on it</th><td>2.5 <span");
+  expect_in(html, "<th scope=\"row\">pressure on it</th><td>0.1 <span");
   expect_in(html, "<th scope=\"row\">work done on the spheres</th><td>3.5 <span");
   expect_in(html, "<h3 id=\"surface-1\">drum &lt;1&gt;</h3>");
   expect_in(html, "<th scope=\"row\">area</th><td>unbounded</td>");
@@ -254,7 +252,7 @@ TEST(Report, ListsManySurfacesInATable) {
   Report report = shaken_report();
   report.surfaces.resize(30, {.name = "peg", .shape = "obstacle", .contacts = 1234, .force = 2});
   const std::string html = to_html(report);
-  expect_in(html, "<tr><th scope=\"row\">floor</th><td>plane</td><td>12,345</td><td>2.50(13)</td>");
+  expect_in(html, "<tr><th scope=\"row\">floor</th><td>plane</td><td>12,345</td><td>2.5</td>");
   EXPECT_EQ(count(html, "<th scope=\"row\">peg</th><td>obstacle</td><td>1,234</td><td>2</td><td>–</td>"),
             28U);
   expect_not_in(html, "id=\"surface-0\"");

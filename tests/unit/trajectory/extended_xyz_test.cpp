@@ -13,15 +13,15 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/trajectory/extended_xyz_reader.hpp"
-#include "hardball/trajectory/extended_xyz_writer.hpp"
+#include "hardball/trajectory/text_formats.hpp"
 
 namespace hardball::extended_xyz_test {
 namespace {
 
 std::string frame_of(const World& world, double time) {
   std::string text;
-  append_extended_xyz(snapshot_of(world, Time(time)), 0, [&](std::string_view more) { text += more; });
+  append_text_frame(extended_xyz_frame(), snapshot_of(world, Time(time)), 0,
+                    [&](std::string_view more) { text += more; });
   return text;
 }
 
@@ -80,7 +80,7 @@ TEST(AppendSnapshot, WritesAWorldWithoutSpheres) {
 
 TEST(AppendSnapshot, CutsAnIncompleteFrameOff) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
-  TextTrajectory file("/dev/full", kExtendedXyz, false);
+  TextTrajectory file("/dev/full", extended_xyz_frame(), false);
   EXPECT_THROW(file.append(snapshot_of(World(), Time(0)), 0), RunFailure);
 }
 

@@ -136,8 +136,8 @@ export class Plots {
   }
 }
 
-function energyName({ version }, box) {
-  const parts = ['Kinetic', ...(version > 1 ? ['rotational'] : []), ...(box.hasGravity ? ['potential'] : [])];
+function energyName({ bodies }, box) {
+  const parts = ['Kinetic', ...(bodies ? ['rotational'] : []), ...(box.hasGravity ? ['potential'] : [])];
   return `${parts.join(parts.length > 2 ? ', ' : ' and ')} energy`;
 }
 

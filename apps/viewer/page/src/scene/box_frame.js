@@ -1,15 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import {
-  BackSide,
-  BoxGeometry,
-  Color,
-  Float32BufferAttribute,
-  GLSL3,
-  Mesh,
-  RawShaderMaterial,
-  Vector3,
-} from 'three';
+import { BackSide, BoxGeometry, Color, Float32BufferAttribute, Mesh, Vector3 } from 'three';
+import { kTranslucent, shaderMaterial } from './drawing.js';
 
 const kVertex = /* glsl */ `
   precision highp float;
@@ -67,30 +59,17 @@ export class BoxFrame {
   constructor(boundary) {
     const geometry = new BoxGeometry(1, 1, 1);
     // Four vertices for each face, faces in the order of the axes.
-    geometry.setAttribute(
-      'boundary',
-      new Float32BufferAttribute(
-        [0, 1, 2].flatMap((axis) => Array(8).fill(sidesOf(axis, boundary)).flat()),
-        2,
-      ),
-    );
+    const sides = [0, 1, 2].flatMap((axis) => Array(8).fill(sidesOf(axis, boundary)).flat());
+    geometry.setAttribute('boundary', new Float32BufferAttribute(sides, 2));
     this.uniforms = {
       size: { value: new Vector3() },
       ink: { value: new Color() },
       dash: { value: 1 },
       isFilled: { value: boundary[2] !== 'flat' },
     };
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: kVertex,
-      fragmentShader: kFragment,
-      uniforms: this.uniforms,
-      side: BackSide,
-      transparent: true,
-      // What lies in the plane does not hide it.
-      depthTest: boundary[2] !== 'flat',
-      depthWrite: false,
-    });
+    // What lies in the plane does not hide it.
+    const options = { ...kTranslucent, side: BackSide, depthTest: boundary[2] !== 'flat' };
+    const material = shaderMaterial(kVertex, kFragment, this.uniforms, options);
     this.object = new Mesh(geometry, material);
     this.object.renderOrder = -1;
   }

@@ -1,19 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import {
-  BoxGeometry,
-  DynamicDrawUsage,
-  DoubleSide,
-  GLSL3,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  Mesh,
-  RawShaderMaterial,
-  Vector3,
-} from 'three';
+import { BoxGeometry, DoubleSide, Mesh, Vector3 } from 'three';
 import { readCenter } from '../motion/path.js';
 import { kPathNumbers } from '../recording/chunk.js';
 import { kEventColors } from './colors.js';
+import { changingNumbers, instancesOf, kTranslucent, shaderMaterial } from './drawing.js';
 
 const kMost = 2048; // cells drawn at a time
 const kSpheresAround = 60; // whose cells are drawn besides those of the followed sphere
@@ -63,25 +54,12 @@ export class CellLayer {
   constructor(radii, box) {
     this.radii = radii;
     this.box = box;
-    this.corners = new InstancedBufferAttribute(new Float32Array(3 * kMost), 3).setUsage(DynamicDrawUsage);
-    this.tints = new InstancedBufferAttribute(new Float32Array(4 * kMost), 4).setUsage(DynamicDrawUsage);
-    const cube = new BoxGeometry(1, 1, 1);
-    this.geometry = new InstancedBufferGeometry();
-    this.geometry.setIndex(cube.index);
-    for (const name of ['position', 'uv']) this.geometry.setAttribute(name, cube.getAttribute(name));
-    this.geometry.setAttribute('corner', this.corners);
-    this.geometry.setAttribute('tint', this.tints);
+    this.corners = changingNumbers(3, kMost);
+    this.tints = changingNumbers(4, kMost);
+    this.geometry = instancesOf(new BoxGeometry(1, 1, 1), { corner: this.corners, tint: this.tints });
     this.uniforms = { edge: { value: new Vector3() } };
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: kVertex,
-      fragmentShader: kFragment,
-      uniforms: this.uniforms,
-      side: DoubleSide,
-      transparent: true,
-      depthTest: !box.isFlat,
-      depthWrite: false,
-    });
+    const options = { ...kTranslucent, side: DoubleSide, depthTest: !box.isFlat };
+    const material = shaderMaterial(kVertex, kFragment, this.uniforms, options);
     this.object = new Mesh(this.geometry, material);
     this.object.frustumCulled = false;
     this.object.renderOrder = 1;

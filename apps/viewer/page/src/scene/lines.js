@@ -1,16 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import {
-  DoubleSide,
-  DynamicDrawUsage,
-  GLSL3,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  BufferAttribute,
-  Mesh,
-  RawShaderMaterial,
-} from 'three';
+import { BufferAttribute, DoubleSide, InstancedBufferGeometry, Mesh } from 'three';
 import { colorTexture } from './colors.js';
+import { changingNumbers, shaderMaterial } from './drawing.js';
 
 const kVertex = /* glsl */ `
   precision highp float;
@@ -66,19 +58,10 @@ export class Lines {
     this.geometry = new InstancedBufferGeometry();
     this.geometry.setAttribute('position', new BufferAttribute(corners, 3));
     this.reserve(0);
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: kVertex,
-      fragmentShader: kFragment,
-      uniforms: {
-        background: uniforms.background,
-        haze: uniforms.haze,
-        isFlat: { value: box.isFlat },
-        colorMap: { value: colorTexture(colors, true) },
-      },
-      side: DoubleSide,
-      depthTest: !box.isFlat,
-    });
+    const { background, haze } = uniforms;
+    const own = { isFlat: { value: box.isFlat }, colorMap: { value: colorTexture(colors, true) } };
+    const options = { side: DoubleSide, depthTest: !box.isFlat };
+    const material = shaderMaterial(kVertex, kFragment, { background, haze, ...own }, options);
     this.object = new Mesh(this.geometry, material);
     this.object.frustumCulled = false;
     this.object.renderOrder = 1;
@@ -92,8 +75,7 @@ export class Lines {
   /** Makes room for `most` lines, of which there are none yet. */
   reserve(most) {
     for (const [name, size] of [['begin', 3], ['end', 3], ['style', 2]]) {
-      const numbers = new InstancedBufferAttribute(new Float32Array(size * most), size);
-      this.geometry.setAttribute(name, numbers.setUsage(DynamicDrawUsage));
+      this.geometry.setAttribute(name, changingNumbers(size, most));
     }
     this.geometry.instanceCount = 0;
   }

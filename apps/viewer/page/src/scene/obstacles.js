@@ -1,15 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import {
-  DynamicDrawUsage,
-  GLSL3,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  Mesh,
-  RawShaderMaterial,
-  SphereGeometry,
-} from 'three';
+import { Mesh, SphereGeometry } from 'three';
 import { visitImages } from '../motion/images.js';
+import { changingNumbers, instancesOf, shaderMaterial } from './drawing.js';
 import { kObstacleFragment, kObstacleVertex } from './surface_shaders.js';
 
 const kMostImages = 8; // of an obstacle at a corner of a periodic box, itself among them
@@ -23,21 +16,12 @@ export class Obstacles {
     this.tints = tints;
     this.box = box;
     const most = surfaces.length * (box.period.some((period) => period > 0) ? kMostImages : 1);
-    const ball = new SphereGeometry(1, 48, 24);
-    this.balls = new InstancedBufferAttribute(new Float32Array(4 * most), 4).setUsage(DynamicDrawUsage);
-    this.colors = new InstancedBufferAttribute(new Float32Array(3 * most), 3).setUsage(DynamicDrawUsage);
-    this.geometry = new InstancedBufferGeometry();
-    this.geometry.setIndex(ball.index);
-    for (const name of ['position', 'uv']) this.geometry.setAttribute(name, ball.getAttribute(name));
-    this.geometry.setAttribute('ball', this.balls);
-    this.geometry.setAttribute('tint', this.colors);
+    this.balls = changingNumbers(4, most);
+    this.colors = changingNumbers(3, most);
+    this.geometry = instancesOf(new SphereGeometry(1, 48, 24), { ball: this.balls, tint: this.colors });
     this.most = most;
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: kObstacleVertex,
-      fragmentShader: kObstacleFragment,
-      uniforms: { background: shared.background, haze: shared.haze },
-    });
+    const { background, haze } = shared;
+    const material = shaderMaterial(kObstacleVertex, kObstacleFragment, { background, haze });
     this.object = new Mesh(this.geometry, material);
     this.object.frustumCulled = false;
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, GLSL3, Points, RawShaderMaterial } from 'three';
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Points } from 'three';
+import { kTranslucent, shaderMaterial } from './drawing.js';
 
 const kVertex = /* glsl */ `
   precision highp float;
@@ -59,15 +60,7 @@ export class Rings {
     geometry.setAttribute('extent', this.extents);
     /** `pixels`: height of the drawing in its own pixels. */
     this.uniforms = { pixels: { value: 1 }, filling: { value: filling } };
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: kVertex,
-      fragmentShader: kFragment,
-      uniforms: this.uniforms,
-      transparent: true,
-      depthTest: false,
-      depthWrite: false,
-    });
+    const material = shaderMaterial(kVertex, kFragment, this.uniforms, { ...kTranslucent, depthTest: false });
     this.object = new Points(geometry, material);
     this.object.frustumCulled = false;
     this.object.renderOrder = 3;

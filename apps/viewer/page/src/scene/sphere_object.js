@@ -3,7 +3,6 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  GLSL3,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
   InstancedInterleavedBuffer,
@@ -11,8 +10,8 @@ import {
   InterleavedBufferAttribute,
   Mesh,
   Points,
-  RawShaderMaterial,
 } from 'three';
+import { shaderMaterial } from './drawing.js';
 import { kImpostorFragment, kImpostorVertex, kPointFragment, kPointVertex } from './sphere_shaders.js';
 
 /** Numbers of a sphere on the graphics card: place and motion. */
@@ -56,12 +55,8 @@ export class SphereObject {
       this.geometry.setAttribute('position', new BufferAttribute(corners, 3));
       this.geometry.setIndex([0, 1, 2, 0, 2, 3]);
     }
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: asPoints ? kPointVertex : kImpostorVertex,
-      fragmentShader: asPoints ? kPointFragment : kImpostorFragment,
-      uniforms,
-    });
+    const [vertex, fragment] = asPoints ? [kPointVertex, kPointFragment] : [kImpostorVertex, kImpostorFragment];
+    const material = shaderMaterial(vertex, fragment, uniforms);
     this.object = asPoints ? new Points(this.geometry, material) : new Mesh(this.geometry, material);
     this.object.frustumCulled = false;
     this.show(paths.length / kMotionNumbers);

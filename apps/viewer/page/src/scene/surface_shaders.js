@@ -44,8 +44,7 @@ export const kWallFragment = /* glsl */ `
   in vec3 side;
   in vec2 line;
   uniform vec3 tint;
-  uniform float strength;    // of the part behind the spheres
-  uniform float nearStrength; // of the part in front of them
+  uniform float nearStrength; // of the part in front of the spheres
   out vec4 outColor;
 
   void main() {
@@ -56,7 +55,7 @@ export const kWallFragment = /* glsl */ `
     float slant = 1.0 - abs(dot(normalize(side), normalize(seen)));
     float fill = 0.09 + 0.22 * slant * slant * slant;
     float alpha = max(fill, 0.42 * max(drawn.x, drawn.y));
-    outColor = vec4(tint, alpha * (gl_FrontFacing ? nearStrength : strength));
+    outColor = vec4(tint, alpha * (gl_FrontFacing ? nearStrength : 1.0));
   }
 `;
 

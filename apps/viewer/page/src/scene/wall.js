@@ -5,17 +5,16 @@ import {
   CylinderGeometry,
   DoubleSide,
   Float32BufferAttribute,
-  GLSL3,
   Group,
   Line,
   LineLoop,
   LineSegments,
   Mesh,
-  RawShaderMaterial,
   SphereGeometry,
   Vector3,
 } from 'three';
 import { roundUp } from '../statistics/speeds.js';
+import { kTranslucent, shaderMaterial } from './drawing.js';
 import { dot, planePatch, rangeAlong, tangents } from './plane_patch.js';
 import { kLineFragment, kLineVertex, kWallFragment, kWallVertex } from './surface_shaders.js';
 
@@ -23,22 +22,10 @@ const kLinesAround = 24; // of a cylinder or sphere
 const kLinesAcross = 12; // of the box
 const kTicks = 3; // along each direction of a plane
 
-// A material for walls; `shared` are uniforms of all walls.
-function wallMaterial(tint, shared, strength, nearStrength) {
-  return new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: kWallVertex,
-    fragmentShader: kWallFragment,
-    uniforms: {
-      ...shared,
-      tint: { value: tint },
-      strength: { value: strength },
-      nearStrength: { value: nearStrength },
-    },
-    side: DoubleSide,
-    transparent: true,
-    depthWrite: false,
-  });
+// A material for walls; `shared` are uniforms of all walls, `nearStrength` is that of the part in front of spheres.
+function wallMaterial(tint, shared, nearStrength) {
+  const own = { tint: { value: tint }, nearStrength: { value: nearStrength } };
+  return shaderMaterial(kWallVertex, kWallFragment, { ...shared, ...own }, { ...kTranslucent, side: DoubleSide });
 }
 
 // Makes the attribute "spot" of texture coordinates: `u` lines around, `v` along.
@@ -49,29 +36,40 @@ function useSpots(geometry, u, v) {
 }
 
 function lineMaterial(tint) {
-  return new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: kLineVertex,
-    fragmentShader: kLineFragment,
-    uniforms: { tint: { value: tint } },
-    transparent: true,
-    depthWrite: false,
-  });
+  return shaderMaterial(kLineVertex, kLineFragment, { tint: { value: tint } }, kTranslucent);
 }
 
-/** A plane within the box: translucent, with a grid, an outline, and ticks to the side of the spheres. */
-export class PlaneWall {
-  constructor(surface, tint, shared) {
+/** A wall of any shape: the surface that it is, and the object that shows it. */
+class Wall {
+  constructor(surface, object) {
     this.surface = surface;
     this.moves = surface.moves;
-    this.patch = new Mesh(new BufferGeometry(), wallMaterial(tint, shared, 1, 1));
-    this.lines = new LineSegments(new BufferGeometry(), lineMaterial(tint));
-    this.object = new Group();
-    this.object.add(this.patch, this.lines);
-    for (const part of this.object.children) part.frustumCulled = false;
+    this.object = object;
+    for (const part of [object, ...object.children]) part.frustumCulled = false;
   }
 
   /** Fits it to the box between two corners at `time` [T]. */
+  update(time) {
+    this.object.position.set(...this.surface.pointAt(time));
+  }
+}
+
+// A line, or a closed one, through points: three numbers each.
+function lineThrough(points, tint, Kind) {
+  const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3));
+  return new Kind(geometry, lineMaterial(tint));
+}
+
+/** A plane within the box: translucent, with a grid, an outline, and ticks to the side of the spheres. */
+export class PlaneWall extends Wall {
+  constructor(surface, tint, shared) {
+    const patch = new Mesh(new BufferGeometry(), wallMaterial(tint, shared, 1));
+    const lines = new LineSegments(new BufferGeometry(), lineMaterial(tint));
+    super(surface, new Group().add(patch, lines));
+    this.patch = patch;
+    this.lines = lines;
+  }
+
   update(time, low, high) {
     const { direction } = this.surface;
     const point = this.surface.pointAt(time);
@@ -118,22 +116,18 @@ export class PlaneWall {
 function wallAround({ direction }, [from, to], tint, shared) {
   const geometry = new CylinderGeometry(to, from, 1, 4 * kLinesAround, 1, true);
   useSpots(geometry, kLinesAround, kLinesAcross);
-  const wall = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
+  const wall = new Mesh(geometry, wallMaterial(tint, shared, 0.3));
   // The geometry's axis is y.
   wall.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...direction));
-  wall.frustumCulled = false;
   return wall;
 }
 
 /** A cylinder within the box, with the spheres inside. */
-export class CylinderWall {
+export class CylinderWall extends Wall {
   constructor(surface, tint, shared) {
-    this.surface = surface;
-    this.moves = surface.moves;
-    this.object = wallAround(surface, [1, 1], tint, shared);
+    super(surface, wallAround(surface, [1, 1], tint, shared));
   }
 
-  /** As for a plane. */
   update(time, low, high) {
     const { direction, radius } = this.surface;
     const point = this.surface.pointAt(time);
@@ -144,14 +138,11 @@ export class CylinderWall {
 }
 
 /** A cone within the box, with the spheres inside. */
-export class ConeWall {
+export class ConeWall extends Wall {
   constructor(surface, tint, shared) {
-    this.surface = surface;
-    this.moves = surface.moves;
-    this.object = wallAround(surface, [0, 1], tint, shared);
+    super(surface, wallAround(surface, [0, 1], tint, shared));
   }
 
-  /** As for a plane. */
   update(time, low, high) {
     const { direction, slope } = this.surface;
     const point = this.surface.pointAt(time);
@@ -162,59 +153,36 @@ export class ConeWall {
 }
 
 /** What a cone is in two dimensions: two lines from its apex, with the discs between them. */
-export class WedgeWall {
+export class WedgeWall extends Wall {
   constructor(surface, tint) {
-    this.surface = surface;
-    this.moves = surface.moves;
     const [x, y] = surface.direction;
     const ends = [surface.slope, -surface.slope].map((slope) => [x - slope * y, y + slope * x, 0]);
-    const points = [...ends[0], 0, 0, 0, ...ends[1]];
-    const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3));
-    this.object = new Line(geometry, lineMaterial(tint));
-    this.object.frustumCulled = false;
+    super(surface, lineThrough([...ends[0], 0, 0, 0, ...ends[1]], tint, Line));
   }
 
-  /** As for a plane. */
   update(time, low, high) {
+    super.update(time);
     const point = this.surface.pointAt(time);
     this.object.scale.setScalar(Math.max(rangeAlong(point, this.surface.direction, low, high)[1], 1e-9));
-    this.object.position.set(...point);
   }
 }
 
 /** A sphere, with the spheres inside. */
-export class SphereWall {
+export class SphereWall extends Wall {
   constructor(surface, tint, shared) {
-    this.surface = surface;
-    this.moves = surface.moves;
     const geometry = new SphereGeometry(1, 4 * kLinesAround, 2 * kLinesAround);
     useSpots(geometry, kLinesAround, kLinesAround / 2);
-    this.object = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
+    super(surface, new Mesh(geometry, wallMaterial(tint, shared, 0.3)));
     this.object.scale.setScalar(surface.radius);
-    this.object.frustumCulled = false;
-  }
-
-  /** As for a plane. */
-  update(time) {
-    this.object.position.set(...this.surface.pointAt(time));
   }
 }
 
 /** What a cylinder along z, or a sphere, is in two dimensions: a circle, with the discs inside. */
-export class CircleWall {
+export class CircleWall extends Wall {
   constructor(surface, tint) {
-    this.surface = surface;
-    this.moves = surface.moves;
     const angles = Array.from({ length: 16 * kLinesAround }, (_, k) => (k * Math.PI) / (8 * kLinesAround));
     const points = angles.flatMap((angle) => [Math.cos(angle), Math.sin(angle), 0]);
-    const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3));
-    this.object = new LineLoop(geometry, lineMaterial(tint));
+    super(surface, lineThrough(points, tint, LineLoop));
     this.object.scale.setScalar(surface.radius);
-    this.object.frustumCulled = false;
-  }
-
-  /** As for a plane. */
-  update(time) {
-    this.object.position.set(...this.surface.pointAt(time));
   }
 }

@@ -11,4 +11,7 @@ namespace hardball::cli {
 /// that is impossible.
 std::vector<std::filesystem::path> make_directory(const std::filesystem::path& directory);
 
+/// Error: the file exists already, and may not be replaced. Devices and pipes may always be written to.
+void refuse_to_overwrite(const std::filesystem::path& file, bool may_replace);
+
 }  // namespace hardball::cli

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "apps/cli/directory.hpp"
+#include "apps/cli/output_paths.hpp"
 
 #include <system_error>
 
-#include "hardball/errors/error.hpp"
+#include "hardball/error.hpp"
+#include "hardball/io/open_output.hpp"
 
 namespace hardball::cli {
 
@@ -20,6 +21,13 @@ std::vector<std::filesystem::path> make_directory(const std::filesystem::path& d
   if (std::filesystem::is_directory(directory)) return created;
   throw Error("cannot be created as a directory" + (failure ? ": " + failure.message() : std::string()),
               directory.string(), "name another directory for the output");
+}
+
+void refuse_to_overwrite(const std::filesystem::path& file, bool may_replace) {
+  refuse_link(file);
+  std::error_code missing;
+  if (may_replace || !std::filesystem::is_regular_file(file, missing)) return;
+  throw Error("the file exists already", file.string(), "name another file, or replace it with --overwrite");
 }
 
 }  // namespace hardball::cli

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "apps/chart/escaped.hpp"
+#include "hardball/io/xml_text.hpp"
 
 #include <cstddef>
 
-namespace hardball::chart {
+namespace hardball {
 namespace {
 
 // The code point at the start of a text, and its length in bytes; none if that is not UTF-8.
@@ -40,7 +40,7 @@ bool is_allowed(char32_t value) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
+std::string xml_escaped(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const CodePoint point = first_code_point(text);
@@ -70,4 +70,4 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-}  // namespace hardball::chart
+}  // namespace hardball

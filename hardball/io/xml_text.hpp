@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-namespace hardball::chart {
+namespace hardball {
 
 /// The text as the content of an element or an attribute of XML or HTML. Invalid UTF-8 becomes U+FFFD, and
 /// what XML does not allow, such as control characters, is omitted.
-std::string escaped(std::string_view text);
+std::string xml_escaped(std::string_view text);
 
-}  // namespace hardball::chart
+}  // namespace hardball
