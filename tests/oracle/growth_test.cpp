@@ -13,6 +13,7 @@
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/world/totals.hpp"
+#include "hardball/world/walls.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 #include "support/random_world.hpp"
@@ -145,6 +146,14 @@ History run_in_pieces(Simulation simulation, const RunLimits& limits, Random& ra
 // All pairs, and a fifth of the other ways: each is compared in many worlds.
 std::vector<EngineVariant> variants_for(const World& world, std::uint64_t seed) {
   std::vector<EngineVariant> all = support::engine_variants(world);
+  // In open space nothing ends the growth: in the end, spheres would be in millions of cells of their first
+  // size.
+  if (!(packing_fraction(world, Time(0)) > 0)) {
+    const double extent = 20 * world.largest_bounding_radius();
+    std::erase_if(all, [&](const EngineVariant& variant) {
+      return variant.options.engine == EngineKind::cells && variant.options.cell_edge < extent;
+    });
+  }
   if (world.size() > 1) {
     for (const EngineVariant& variant : support::divided_variants()) all.push_back(variant);
   }

@@ -32,7 +32,8 @@ TEST(MillionCollisions, ConserveEnergyAndMomentum) {
   const double energy_error =
       kinetic_energy(simulation.world(), simulation.now()) / kinetic_energy(world, Time(0)) - 1;
   const double rms_speed = std::sqrt(2 * kinetic_energy(world, Time(0)) / kSpheres);
-  const double momentum = length(hardball::momentum(simulation.world(), simulation.now())) / (kSpheres * rms_speed);
+  const double momentum =
+      length(hardball::momentum(simulation.world(), simulation.now())) / (kSpheres * rms_speed);
   support::record("energy_error", energy_error);
   support::record("momentum_error", momentum);
   EXPECT_LT(std::fabs(energy_error), 1e-12);
