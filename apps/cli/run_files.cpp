@@ -12,7 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/open_output.hpp"
 #include "hardball/io/replace_file.hpp"
-#include "hardball/measure/csv.hpp"
+#include "hardball/statistics/csv.hpp"
 
 namespace hardball::cli {
 namespace {

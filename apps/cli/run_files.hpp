@@ -14,12 +14,12 @@
 
 #include "apps/cli/directory_lock.hpp"
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/recording/npy_event_log.hpp"
 #include "hardball/recording/recording_writer.hpp"
 #include "hardball/run/observer.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/trajectory/trajectory.hpp"
 
 namespace hardball::cli {

@@ -7,9 +7,9 @@
 #include "apps/cli/options.hpp"
 #include "apps/cli/summary.hpp"
 #include "apps/report/report.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/statistics/measurement.hpp"
 
 namespace hardball::cli {
 

@@ -15,7 +15,7 @@
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/version.hpp"
 #include "hardball/measure/event_log_hash.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/step_levels.hpp"
 #include "hardball/world/walls.hpp"

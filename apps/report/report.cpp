@@ -16,8 +16,8 @@
 #include "apps/report/number_text.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/species_names.hpp"
-#include "hardball/measure/agreement.hpp"
 #include "hardball/measure/event_log_hash.hpp"
+#include "hardball/statistics/agreement.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball_report_files.hpp"
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "hardball/measure/bonds.hpp"
-#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/measure/transient.hpp"
+#include "hardball/statistics/qualification.hpp"
+#include "hardball/statistics/transient.hpp"
 #include "hardball/world/step_levels.hpp"
 
 namespace hardball {

@@ -8,9 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "hardball/measure/qualification.hpp"
-#include "hardball/measure/transient.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/measure/reasons.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/qualification.hpp"
+#include "hardball/statistics/transient.hpp"
 #include "hardball/world/images.hpp"
 
 namespace hardball {

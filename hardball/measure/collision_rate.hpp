@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/block_average.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/sphere_groups.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"

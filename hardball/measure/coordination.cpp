@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/measure/transient.hpp"
+#include "hardball/statistics/qualification.hpp"
+#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <string_view>
 
-#include "hardball/measure/block_average.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/measurement.hpp"
 
 namespace hardball {
 

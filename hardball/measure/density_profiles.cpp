@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/same_box.hpp"
-#include "hardball/measure/transient.hpp"
 #include "hardball/measure/units.hpp"
+#include "hardball/statistics/qualification.hpp"
+#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/diffusion.hpp"
-#include "hardball/measure/qualification.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
+
+#include "hardball/measure/reasons.hpp"
+#include "hardball/statistics/qualification.hpp"
 
 namespace hardball {
 namespace {

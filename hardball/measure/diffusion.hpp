@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/time_correlation.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 
 namespace hardball {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "hardball/measure/same_box.hpp"
-#include "hardball/measure/transient.hpp"
 #include "hardball/measure/units.hpp"
+#include "hardball/statistics/transient.hpp"
 #include "hardball/world/images.hpp"
 
 namespace hardball {

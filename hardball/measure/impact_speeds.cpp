@@ -11,9 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/measure/qualification.hpp"
-#include "hardball/measure/transient.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/measure/reasons.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/qualification.hpp"
+#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {

@@ -23,7 +23,6 @@
 #include "hardball/measure/mean_square_displacement.hpp"
 #include "hardball/measure/nearest_neighbor.hpp"
 #include "hardball/measure/pressure.hpp"
-#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/random_start.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
@@ -36,6 +35,7 @@
 #include "hardball/measure/velocity_autocorrelation.hpp"
 #include "hardball/measure/velocity_distribution.hpp"
 #include "hardball/measure/wall_forces.hpp"
+#include "hardball/statistics/qualification.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

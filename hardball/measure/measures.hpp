@@ -11,9 +11,9 @@
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/measure/measure_settings.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/memory/for_each.hpp"
 #include "hardball/memory/value_pointer.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/world/velocity_change.hpp"
 
 namespace hardball {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "hardball/measure/fluid_structure.hpp"
-#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/measure/transient.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/qualification.hpp"
+#include "hardball/statistics/transient.hpp"
 #include "hardball/world/pair_event.hpp"
 
 namespace hardball {

@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "hardball/measure/transient.hpp"
 #include "hardball/measure/units.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/transient.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/no_number.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {

@@ -8,10 +8,10 @@
 #include <tuple>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/block_average.hpp"
 #include "hardball/measure/kinetic_tensor.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/velocity_change.hpp"

@@ -9,10 +9,10 @@
 #include <numbers>
 #include <utility>
 
-#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/same_box.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/measure/transient.hpp"
+#include "hardball/statistics/qualification.hpp"
+#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {

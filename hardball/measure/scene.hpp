@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hardball/measure/neighbor_query.hpp"
-#include "hardball/measure/settled.hpp"
+#include "hardball/statistics/settled.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/species_list.hpp"

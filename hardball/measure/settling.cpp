@@ -10,7 +10,8 @@
 #include <span>
 
 #include "hardball/measure/bonds.hpp"
-#include "hardball/measure/transient.hpp"
+#include "hardball/measure/reasons.hpp"
+#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {

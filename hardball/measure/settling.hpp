@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "hardball/measure/block_average.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/block_average.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "hardball/measure/energy_gain.hpp"
-#include "hardball/measure/transient.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/transient.hpp"
 #include "hardball/world/step_levels.hpp"
 #include "hardball/world/totals.hpp"
 

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "hardball/measure/fluid_structure.hpp"
-#include "hardball/measure/transient.hpp"
+#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "hardball/measure/block_average.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/measurement.hpp"
 
 namespace hardball {
 

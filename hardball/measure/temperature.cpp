@@ -6,9 +6,9 @@
 #include <numeric>
 #include <string>
 
-#include "hardball/measure/qualification.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/measure/transient.hpp"
+#include "hardball/statistics/qualification.hpp"
+#include "hardball/statistics/transient.hpp"
 #include "hardball/world/images.hpp"
 #include "hardball/world/totals.hpp"
 

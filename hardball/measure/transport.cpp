@@ -7,10 +7,11 @@
 #include <functional>
 #include <utility>
 
-#include "hardball/measure/qualification.hpp"
+#include "hardball/measure/reasons.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/qualification.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {

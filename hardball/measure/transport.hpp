@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/collective_moment.hpp"
-#include "hardball/measure/measurement.hpp"
-#include "hardball/measure/moment_lags.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/collective_moment.hpp"
+#include "hardball/statistics/measurement.hpp"
+#include "hardball/statistics/moment_lags.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hardball/measure/diffusion.hpp"
+#include "hardball/numbers/no_number.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <string_view>
 
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/time_correlation.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 

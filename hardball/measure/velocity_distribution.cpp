@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/measure/transient.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/transient.hpp"
 #include "hardball/world/images.hpp"
 
 namespace hardball {

@@ -10,7 +10,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/energy_gain.hpp"
 #include "hardball/measure/units.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
+#include "hardball/numbers/no_number.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/no_number.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/moment_lags.hpp"
+#include "hardball/statistics/moment_lags.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "hardball/measure/block_average.hpp"
-#include "hardball/measure/measurement.hpp"
-#include "hardball/measure/settled.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/measurement.hpp"
+#include "hardball/statistics/settled.hpp"
 
 namespace hardball {
 

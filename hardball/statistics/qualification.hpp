@@ -4,11 +4,13 @@
 
 #include <string>
 
-#include "hardball/measure/measurement.hpp"
-#include "hardball/measure/settled.hpp"
+#include "hardball/statistics/measurement.hpp"
+#include "hardball/statistics/settled.hpp"
 
 /// What measured numbers are worth: which have no error, or are left out, and why.
 namespace hardball {
+
+inline constexpr const char* kNotSteady = "the temperature keeps changing and there is no steady state";
 
 /// A number that is no estimate, such as a count, and so has no error, for a reason without a comma.
 Quantity no_estimate(const std::string& name, const std::string& unit, double value,

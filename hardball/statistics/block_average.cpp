@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/block_average.hpp"
+#include "hardball/statistics/block_average.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
 
 namespace hardball {
 namespace {

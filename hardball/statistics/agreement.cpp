@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/agreement.hpp"
+#include "hardball/statistics/agreement.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/qualification.hpp"
+#include "hardball/statistics/qualification.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
 
 namespace hardball {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "hardball/measure/block_average.hpp"
-#include "hardball/measure/estimate.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/estimate.hpp"
 
 namespace hardball {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hardball/measure/measurement.hpp"
+#include "hardball/statistics/measurement.hpp"
 
 namespace hardball {
 

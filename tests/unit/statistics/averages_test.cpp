@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/block_average.hpp"
+#include "hardball/statistics/block_average.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <cmath>
 #include <vector>
 
-#include "hardball/measure/agreement.hpp"
-#include "hardball/measure/estimate.hpp"
-#include "hardball/measure/transient.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/statistics/agreement.hpp"
+#include "hardball/statistics/estimate.hpp"
+#include "hardball/statistics/transient.hpp"
 
 namespace hardball::averages_test {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/contact_extrapolation.hpp"
+#include "hardball/statistics/contact_extrapolation.hpp"
 
 #include <cmath>
 

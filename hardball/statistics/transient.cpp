@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/transient.hpp"
+#include "hardball/statistics/transient.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,13 @@
 #include <optional>
 #include <vector>
 
-#include "hardball/measure/qualification.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/qualification.hpp"
 
 namespace hardball {
 namespace {
+
+constexpr const char* kStillChanging = "it still changes in the second half of the run";
 
 constexpr std::size_t kSteps = 16;
 // Parts of a run, or its halves, differ if they are more than this many standard errors apart.

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "hardball/measure/estimate.hpp"
+#include "hardball/statistics/estimate.hpp"
 
 namespace hardball {
 

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "hardball/geometry/time.hpp"
-#include "hardball/measure/moment_lags.hpp"
+#include "hardball/statistics/moment_lags.hpp"
 
 namespace hardball {
 
-/// A moment of all spheres together that changes evenly between contacts and jumps at them. It is exact at
+/// A moment, as of all spheres together, that changes evenly between events and jumps at them. It is exact at
 /// every time, and so are its increments over equal times.
 class CollectiveMoment {
  public:

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/estimate.hpp"
+#include "hardball/statistics/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
 
 namespace hardball {
 namespace {

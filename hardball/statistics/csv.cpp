@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/csv.hpp"
+#include "hardball/statistics/csv.hpp"
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "hardball/errors/export.hpp"
-#include "hardball/measure/measurement.hpp"
+#include "hardball/statistics/measurement.hpp"
 
 namespace hardball {
 

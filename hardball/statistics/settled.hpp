@@ -25,15 +25,4 @@ struct Settled {
   StartSpread spread;     ///< What other random numbers at the start would change.
 };
 
-inline constexpr const char* kStillCrystal =
-    "the spheres still have the order of the crystal in which they started";
-inline constexpr const char* kStillInPlace = "the spheres have not left the places at which they started";
-inline constexpr const char* kStillSpreading = "the spheres are still spreading evenly through the box";
-inline constexpr const char* kStillChanging = "it still changes in the second half of the run";
-inline constexpr const char* kNotSteady = "the temperature keeps changing and there is no steady state";
-inline constexpr const char* kLagChosen = "it is the lag at which the constant was read";
-/// Why there is no number where all spheres pass through each other.
-inline constexpr const char* kVelocitiesOfTheStart =
-    "the spheres pass through each other and keep the velocities of their start";
-
 }  // namespace hardball
