@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "hardball/measure/bonds.hpp"
+#include "hardball/measure/reasons.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/statistics/qualification.hpp"
 #include "hardball/statistics/transient.hpp"
 #include "hardball/world/step_levels.hpp"
 
@@ -64,24 +63,16 @@ void BondOrder::sample_bonds(const Scene& scene) {
   Bonds all;
   surroundings.for_each_center(range, [&](std::size_t center) {
     Bonds bonds;
-    double nearest = std::numeric_limits<double>::infinity();
-    std::size_t nearest_one = center;
-    surroundings.for_each_neighbor(
-        center, range, [&](std::size_t neighbor, const Vec3& separation, double square) {
-          const double farthest = reach_ * (surroundings.radius(center) + surroundings.radius(neighbor));
-          if (square > farthest * farthest) return;
-          if (square < nearest) {
-            nearest = square;
-            nearest_one = neighbor;
-          }
-          bonds.add(1 / std::sqrt(square) * separation);
-          average_.put(kBonds, 1, group_of_pair(center, neighbor));
-        });
+    const auto add = [&](std::size_t neighbor, const Vec3& separation, double square) {
+      bonds.add(1 / std::sqrt(square) * separation);
+      average_.put(kBonds, 1, group_of_pair(center, neighbor));
+    };
+    const std::size_t nearest = surroundings.for_each_bond(center, reach_, add);
     average_.put(kSpheres, 1, group_of(center));
     if (bonds.count == 0) return;
     all.add(bonds);
     // Neighbors have bonds in common.
-    double* const sums = average_.open_bins(0, group_of_pair(center, nearest_one));
+    double* const sums = average_.open_bins(0, group_of_pair(center, nearest));
     ++sums[kBonded];
     const double four = bonds.invariant_four();
     const double six = bonds.invariant_six();
@@ -114,41 +105,26 @@ Measurement BondOrder::result(const Scene& scene) const {
   }
   const std::string of_all = is_flat_ ? "Psi" : "Q";
   const std::string of_each = is_flat_ ? "psi" : "q";
-  const auto mean_of = [](std::size_t sum) {
-    return [sum](std::span<const double> means) { return means[sum] / means[kBonded]; };
-  };
-  const FunctionOfMeans six_of = mean_of(kSumSix);
-  const FunctionOfMeans four_of = mean_of(kSumFour);
-  const FunctionOfMeans bonds_of = [](std::span<const double> means) {
-    return means[kBonds] / means[kSpheres];
-  };
-  const Transient transient = find_transient(average_, std::array{six_of, four_of, bonds_of}, scene.settled(),
-                                             BlockAverage::Groups::coupled);
+  const std::array sensitive{ratio_of(kSumSix, kBonded), ratio_of(kSumFour, kBonded),
+                             ratio_of(kBonds, kSpheres)};
+  constexpr auto kCoupled = BlockAverage::Groups::coupled;
+  const Transient transient = find_transient(average_, sensitive, scene.settled(), kCoupled);
   const BlockAverage average = transient.left_out_of(average_);
-  const auto quantity = [&](const std::string& name, const Estimate& estimate) {
-    return Quantity{name, "1", estimate.value, estimate.error};
-  };
-  found.quantities = {
-      quantity(of_all + "4", average.ratio(kAllFour)),
-      quantity(of_all + "6", average.ratio(kAllSix)),
-      quantity("mean_" + of_each + "4", average.estimate(four_of, BlockAverage::Groups::coupled)),
-      quantity("mean_" + of_each + "6", average.estimate(six_of, BlockAverage::Groups::coupled)),
-      quantity("mean_bonds", average.ratio(kBonds, kSpheres)),
-      no_estimate("neighbor_reach", "1", reach_, "it is a choice of the measure")};
-  Column invariant{"invariant", "1", ColumnRole::argument, {}};
+  found.add(of_all + "4", "1", average.ratio(kAllFour));
+  found.add(of_all + "6", "1", average.ratio(kAllSix));
+  found.add("mean_" + of_each + "4", "1", average.estimate(ratio_of(kSumFour, kBonded), kCoupled));
+  found.add("mean_" + of_each + "6", "1", average.estimate(ratio_of(kSumSix, kBonded), kCoupled));
+  found.add("mean_bonds", "1", average.ratio(kBonds, kSpheres));
+  found.add("neighbor_reach", "1", {reach_}).reason = kReachChosen;
+  std::vector<double> invariants;
   for (std::size_t bin = 0; bin < kBins; ++bin) {
-    invariant.values.push_back((static_cast<double>(bin) + 0.5) / kBins);
+    invariants.push_back((static_cast<double>(bin) + 0.5) / kBins);
   }
-  found.columns.push_back(std::move(invariant));
+  found.add_argument("invariant", "1", std::move(invariants));
   const auto add_density = [&](const std::string& name, std::size_t first) {
-    Column value{name, "1", ColumnRole::value, {}};
-    Column error{name + "_error", "1", ColumnRole::error, {}};
-    for (const Estimate& share : average.histogram(first, kBins, kBonded)) {
-      value.values.push_back(share.value * kBins);
-      error.values.push_back(share.error * kBins);
-    }
-    found.columns.push_back(std::move(value));
-    found.columns.push_back(std::move(error));
+    std::vector<Estimate> shares = average.histogram(first, kBins, kBonded);
+    for (Estimate& share : shares) share = kBins * share;
+    found.add_estimates(name, "1", shares);
   };
   add_density(of_each + "6_density", kCountsSix);
   add_density(of_each + "4_density", kCountsFour);

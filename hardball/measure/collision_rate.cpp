@@ -90,19 +90,16 @@ Measurement CollisionRate::result(const Scene& scene) const {
   const double expected = theory_.collision_rate(temperature);
   const auto add = [&](std::string name, const char* unit, const Estimate& estimate, double theory) {
     const double expectation = std::isfinite(theory) ? theory : kNoNumber;
-    found.quantities.push_back({std::move(name), unit, estimate.value, estimate.error, expectation,
-                                theory_.tolerance() * expectation});
+    found.add(std::move(name), unit, estimate, expectation, theory_.tolerance() * expectation);
   };
   const auto add_rate = [&](std::string name, std::size_t bin, double per_sphere, double theory) {
-    const Estimate count = contacts.histogram(bin, 1).front();
-    add(std::move(name), "T^-1", {per_sphere * count.value, per_sphere * count.error}, theory);
+    const Estimate rate = per_sphere * contacts.histogram(bin, 1).front();
+    add(std::move(name), "T^-1", rate, theory);
+    return rate;
   };
-  found.quantities.push_back(no_estimate("collisions", "1", whole.total(kCollisions), kCount));
-  if (has_walls_) {
-    found.quantities.push_back(no_estimate("wall_contacts", "1", whole.total(kWalls), kCount));
-  }
-  add_rate("collision_rate", kCollisions, 2 / spheres_, expected);
-  const Quantity per_time = found.quantities.back();
+  found.add("collisions", "1", {whole.total(kCollisions)}).reason = kCount;
+  if (has_walls_) found.add("wall_contacts", "1", {whole.total(kWalls)}).reason = kCount;
+  const Estimate per_time = add_rate("collision_rate", kCollisions, 2 / spheres_, expected);
   // Without a collision there is no mean free time; from a few it is poorly known, as a reciprocal is not
   // symmetric.
   constexpr double kWell = 0.2;
@@ -123,12 +120,9 @@ Measurement CollisionRate::result(const Scene& scene) const {
                theory_.collision_rate(a, b, temperature));
     }
   }
-  found.columns = {{"time", "T", ColumnRole::argument, whole.middles()},
-                   {"collision_rate", "T^-1", ColumnRole::value, whole.history(rate)}};
-  if (has_walls_) {
-    found.columns.push_back({"wall_rate", "T^-1", ColumnRole::value, whole.history(wall_rate)});
-  }
-  for (double& time : found.columns.front().values) time += begin_.value();
+  found.add_argument("time", "T", whole.middles(begin_.value()));
+  found.add_values("collision_rate", "T^-1", whole.history(rate));
+  if (has_walls_) found.add_values("wall_rate", "T^-1", whole.history(wall_rate));
   transient.note_in(found);
   if (theory_.is_ideal()) {
     for (Quantity& quantity : found.quantities) leave_open(quantity, kVelocitiesOfTheStart);

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hardball/measure/reasons.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/statistics/qualification.hpp"
 #include "hardball/statistics/transient.hpp"
 
 namespace hardball {
@@ -40,21 +40,14 @@ void Coordination::sample(const Scene& scene) {
   const double range = 2 * reach_ * scene.world().largest_radius();
   surroundings.for_each_center(range, [&](std::size_t center) {
     std::size_t neighbors = 0;
-    double nearest = std::numeric_limits<double>::infinity();
-    std::size_t nearest_one = center;
-    surroundings.for_each_neighbor(center, range, [&](std::size_t neighbor, const Vec3&, double square) {
-      const double farthest = reach_ * (surroundings.radius(center) + surroundings.radius(neighbor));
-      if (square > farthest * farthest) return;
+    const auto count = [&](std::size_t neighbor, const Vec3&, double) {
       ++neighbors;
-      if (square < nearest) {
-        nearest = square;
-        nearest_one = neighbor;
-      }
       average_.put(kNeighbors, 1, group_of_pair(center, neighbor));
-    });
+    };
+    const std::size_t nearest = surroundings.for_each_bond(center, reach_, count);
     average_.put(kCenters, 1, group_of(center));
     // Nearby spheres have neighbors in common.
-    const std::size_t group = neighbors > 0 ? group_of_pair(center, nearest_one) : group_of(center);
+    const std::size_t group = neighbors > 0 ? group_of_pair(center, nearest) : group_of(center);
     average_.put(std::min(neighbors, kMaxNeighbors), 1, group);
   });
   average_.close_sample(duration(begin_, scene.now()));
@@ -66,30 +59,19 @@ Measurement Coordination::result(const Scene& scene) const {
       .title = "Numbers of neighbors",
       .formula = "fraction of the spheres with $k$ neighbors closer than a multiple of the sum of the radii",
       .source = "Bernal and Mason, Nature 188 (1960) 910"};
-  const FunctionOfMeans neighbors_of = [](std::span<const double> means) {
-    return means[kNeighbors] / means[kCenters];
-  };
-  const Transient transient =
-      find_transient(average_, std::array{neighbors_of}, scene.settled(), BlockAverage::Groups::separate);
+  const Transient transient = find_transient(average_, std::array{ratio_of(kNeighbors, kCenters)},
+                                             scene.settled(), BlockAverage::Groups::separate);
   const BlockAverage average = transient.left_out_of(average_);
-  const Estimate mean = average.ratio(kNeighbors, kCenters);
-  found.quantities = {
-      {"mean_neighbors", "1", mean.value, mean.error},
-      no_estimate("neighbor_reach", "1", reach_, "it is a choice of the measure"),
-  };
+  found.add("mean_neighbors", "1", average.ratio(kNeighbors, kCenters));
+  found.add("neighbor_reach", "1", {reach_}).reason = kReachChosen;
   std::size_t rows = 0;
   for (std::size_t k = 0; k <= kMaxNeighbors; ++k) {
     if (average.total(k) > 0) rows = k + 1;
   }
-  Column neighbors{"neighbors", "1", ColumnRole::argument, {}};
-  Column value{"fraction", "1", ColumnRole::value, {}};
-  Column error{"fraction_error", "1", ColumnRole::error, {}};
-  for (const Estimate& fraction : average.histogram(0, rows, kCenters)) {
-    neighbors.values.push_back(static_cast<double>(neighbors.values.size()));
-    value.values.push_back(fraction.value);
-    error.values.push_back(fraction.error);
-  }
-  found.columns = {std::move(neighbors), std::move(value), std::move(error)};
+  std::vector<double> neighbors(rows);
+  std::iota(neighbors.begin(), neighbors.end(), 0.0);
+  found.add_argument("neighbors", "1", std::move(neighbors));
+  found.add_estimates("fraction", "1", average.histogram(0, rows, kCenters));
   transient.note_in(found);
   return found;
 }

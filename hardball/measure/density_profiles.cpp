@@ -169,49 +169,32 @@ Measurement DensityProfiles::result(const Scene& scene) const {
   if (most_bins_ == 0) return found;
   Transient transient;
   if (walled_axes(box_) > 0) {
-    const FunctionOfMeans at_walls = [&](std::span<const double> means) { return means[first_at_walls()]; };
-    transient = find_transient(average_, std::array{at_walls}, scene.settled());
+    transient = find_transient(average_, std::array{mean_of(first_at_walls())}, scene.settled());
   }
   const BlockAverage average = transient.left_out_of(average_);
   if (walled_axes(box_) > 0) {
     const Estimate density = average.ratio(first_at_walls());
-    found.quantities = {{"density_at_walls", number_density_unit(box_), density.value, density.error}};
-    require_not_negative(found.quantities.back());
+    require_not_negative(found.add("density_at_walls", number_density_unit(box_), density));
   }
   // Between other faces the spheres at a wall may have another temperature than the rest.
   if (walled_axes(box_) > 0 && box_.has_plain_faces()) {
     const Estimate pressure = average.ratio(first_at_walls() + 1);
-    found.quantities.push_back({"pressure_at_walls", pressure_unit(box_), pressure.value, pressure.error});
-    require_not_negative(found.quantities.back());
+    require_not_negative(found.add("pressure_at_walls", pressure_unit(box_), pressure));
   }
-  Column position{"position", "L", ColumnRole::argument, {}};
-  for (std::size_t bin = 0; bin < most_bins_; ++bin) {
-    position.values.push_back((static_cast<double>(bin) + 0.5) * bin_width_);
-  }
-  found.columns.push_back(std::move(position));
-  const auto add_profile = [&](const std::string& name, const std::string& unit, std::size_t axis,
-                               std::vector<Estimate> slabs) {
-    Column value{name + "_" + kAxisNames[axis], unit, ColumnRole::value, {}};
-    Column error{value.name + "_error", unit, ColumnRole::error, {}};
-    slabs.resize(most_bins_);
-    for (const Estimate& slab : slabs) {
-      value.values.push_back(slab.value);
-      error.values.push_back(slab.error);
-    }
-    found.columns.push_back(std::move(value));
-    found.columns.push_back(std::move(error));
-  };
+  found.add_argument("position", "L", bin_middles(0, bin_width_, most_bins_));
   for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
     std::vector<Estimate> densities = average.histogram(axis * most_bins_, bins_[axis]);
     std::vector<Estimate> fractions;
     const double area = box_.face_area(axis);
     for (std::size_t bin = 0; bin < bins_[axis]; ++bin) {
-      const double per_volume = 1 / (area * slab_width(axis, bin));
-      densities[bin] = {densities[bin].value * per_volume, densities[bin].error * per_volume};
+      densities[bin] = 1 / (area * slab_width(axis, bin)) * densities[bin];
       fractions.push_back(average.ratio(first_fraction() + axis * most_bins_ + bin));
     }
-    add_profile("number_density", number_density_unit(box_), axis, std::move(densities));
-    add_profile("packing_fraction", "1", axis, std::move(fractions));
+    densities.resize(most_bins_);
+    fractions.resize(most_bins_);
+    const std::string suffix = std::string("_") + kAxisNames[axis];
+    found.add_estimates("number_density" + suffix, number_density_unit(box_), densities);
+    found.add_estimates("packing_fraction" + suffix, "1", fractions);
   }
   transient.note_in(found);
   return found;

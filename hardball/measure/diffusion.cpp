@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "hardball/measure/reasons.hpp"
+#include "hardball/numbers/no_number.hpp"
 #include "hardball/statistics/qualification.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
 namespace {
@@ -65,22 +67,36 @@ Diffusion read_diffusion(const TimeCorrelation& average, std::size_t species, do
   return best;
 }
 
-void add_diffusion(Measurement& found, const Diffusion& diffusion, const SpeciesList& species,
-                   std::size_t which, const FluidTheory& theory, double temperature) {
+DiffusionConditions::DiffusionConditions(const Scene& scene)
+    : theory(scene.fluid()),
+      motion(scene.thermal_motion()),
+      dimensions(static_cast<double>(scene.world().box().dimensions())),
+      mean_free_time(hardball::mean_free_time(scene.statistics())) {}
+
+double DiffusionConditions::temperature(const Scene& scene) const {
+  return is_energy_conserved(motion, scene.thermal_motion()) ? motion.temperature() : kNoNumber;
+}
+
+void DiffusionConditions::add(const Diffusion& diffusion, const SpeciesList& species, std::size_t which,
+                              double temperature, Measurement& found) const {
   const Estimate& constant = diffusion.constant;
   const double expected = theory.diffusion(temperature);
-  const double tolerance = FluidTheory::kDiffusionTolerance * expected;
   const std::string suffix = species.suffix(which);
-  found.quantities.push_back({"diffusion_constant" + suffix, "L^2 T^-1", constant.value, constant.error,
-                              expected, tolerance, diffusion.reason});
-  const double enskog = theory.enskog_diffusion(temperature);
-  if (!std::isnan(enskog)) {
-    found.quantities.push_back({"diffusion_constant_over_enskog", "1", constant.value / enskog,
-                                constant.error / enskog, expected / enskog, tolerance / enskog,
-                                diffusion.reason});
-  }
-  if (diffusion.lag > 0)
-    found.quantities.push_back(no_estimate("diffusion_lag" + suffix, "T", diffusion.lag, kLagChosen));
+  add_with_enskog(found,
+                  {"diffusion_constant" + suffix, "L^2 T^-1", constant.value, constant.error, expected,
+                   FluidTheory::kDiffusionTolerance * expected, diffusion.reason},
+                  theory.enskog_diffusion(temperature));
+  if (diffusion.lag > 0) found.add("diffusion_lag" + suffix, "T", {diffusion.lag}).reason = kLagChosen;
+}
+
+void add_with_enskog(Measurement& found, const Quantity& coefficient, double enskog) {
+  found.quantities.push_back(coefficient);
+  if (std::isnan(enskog)) return;
+  const Estimate estimate{coefficient.value, coefficient.error};
+  found
+      .add(coefficient.name + "_over_enskog", "1", estimate / enskog, coefficient.theory / enskog,
+           coefficient.tolerance / enskog)
+      .reason = coefficient.reason;
 }
 
 }  // namespace hardball

@@ -10,6 +10,7 @@
 #include "hardball/measure/time_correlation.hpp"
 #include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/fluid_theory.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
 
@@ -37,8 +38,38 @@ const char* objection_to_diffusion(const Scene& scene);
 Diffusion read_diffusion(const TimeCorrelation& average, std::size_t species, double mean_free_time,
                          const std::function<std::optional<FunctionOfMeans>(std::size_t lag)>& up_to);
 
-/// Adds the constant, the constant over that of Enskog's theory, and the lag, of one species.
-void add_diffusion(Measurement& found, const Diffusion& diffusion, const SpeciesList& species,
-                   std::size_t which, const FluidTheory& theory, double temperature);
+/// What diffusion is measured in.
+struct DiffusionConditions {
+  /// The conditions in the world of the scene, at its time.
+  explicit DiffusionConditions(const Scene& scene);
+
+  /// kT at the start if the energy has been conserved until the time of the scene, otherwise NaN.
+  double temperature(const Scene& scene) const;
+  /// Adds the constant, the constant over that of Enskog's theory, and the lag, of one species.
+  void add(const Diffusion& diffusion, const SpeciesList& species, std::size_t which, double temperature,
+           Measurement& found) const;
+
+  FluidTheory theory;
+  ThermalMotion motion;  ///< At the start.
+  double dimensions;
+  double mean_free_time;  ///< Expected [T].
+
+ private:
+  friend class Persistence;
+  friend class MeanSquareDisplacement;
+  friend class VelocityAutocorrelation;
+  DiffusionConditions() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.theory, self.motion, self.dimensions, self.mean_free_time);
+  }
+};
+
+/// Where the definitions and the theory of diffusion are from.
+inline constexpr const char* kSourceOfDiffusion =
+    "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. Phys. 62 (1987) 509; "
+    "Enskog: Chapman and Cowling, section 16.3";
+
+/// Adds a transport coefficient, and unless Enskog's value is NaN, the coefficient over that value.
+void add_with_enskog(Measurement& found, const Quantity& coefficient, double enskog);
 
 }  // namespace hardball

@@ -11,6 +11,7 @@
 
 #include "hardball/measure/same_box.hpp"
 #include "hardball/measure/units.hpp"
+#include "hardball/numbers/no_number.hpp"
 #include "hardball/statistics/transient.hpp"
 #include "hardball/world/images.hpp"
 
@@ -92,29 +93,19 @@ void FlowProfiles::add_profiles(Measurement& found, const BlockAverage& average,
   const std::string at = std::string("_at_") + kAxisNames[axis];
   const double width = slab_width(axis);
   const std::size_t rows = *std::ranges::max_element(slabs_);
-  Column position{kAxisNames[axis], "L", ColumnRole::argument, {}};
-  for (std::size_t slab = 0; slab < slabs_[axis]; ++slab) {
-    position.values.push_back(margin(axis) + (static_cast<double>(slab) + 0.5) * width);
-  }
-  position.values.resize(rows, std::numeric_limits<double>::quiet_NaN());
-  found.columns.push_back(std::move(position));
+  std::vector<double> positions = bin_middles(margin(axis), width, slabs_[axis]);
+  positions.resize(rows, kNoNumber);
+  found.add_argument(kAxisNames[axis], "L", std::move(positions));
   const auto add = [&](const std::string& name, const std::string& unit, const auto& in_slab) {
-    Column value{name + at, unit, ColumnRole::value, {}};
-    Column error{value.name + "_error", unit, ColumnRole::error, {}};
-    for (std::size_t slab = 0; slab < rows; ++slab) {
-      const Estimate estimate = slab < slabs_[axis] ? in_slab(bin(axis, slab)) : Estimate();
-      value.values.push_back(estimate.value);
-      error.values.push_back(estimate.error);
-    }
-    found.columns.push_back(std::move(value));
-    found.columns.push_back(std::move(error));
+    std::vector<Estimate> slabs;
+    for (std::size_t slab = 0; slab < slabs_[axis]; ++slab) slabs.push_back(in_slab(bin(axis, slab)));
+    slabs.resize(rows);
+    found.add_estimates(name + at, unit, slabs);
   };
   const double volume = box_.face_area(axis) * width;
   if (std::isfinite(volume)) {
-    add("number_density", number_density_unit(box_), [&](std::size_t first) {
-      const Estimate count = average.ratio(first + kCount);
-      return Estimate{count.value / volume, count.error / volume};
-    });
+    add("number_density", number_density_unit(box_),
+        [&](std::size_t first) { return average.ratio(first + kCount) / volume; });
   }
   const auto dimensions = static_cast<double>(box_.dimensions());
   add("temperature", "M L^2 T^-2", [&](std::size_t first) {
@@ -128,8 +119,7 @@ void FlowProfiles::add_profiles(Measurement& found, const BlockAverage& average,
   for (std::size_t k = 0; k < box_.dimensions(); ++k) {
     if (k == axis) continue;
     add(std::string("flow_velocity_") + kAxisNames[k], "L T^-1", [&](std::size_t first) {
-      Estimate velocity =
-          average.estimate([&](Means means) { return means[first + kMomentum + k] / means[first + kMass]; });
+      Estimate velocity = average.estimate(ratio_of(first + kMomentum + k, first + kMass));
       if (k == 0 && box_.is_sheared()) {
         const auto slab = static_cast<double>((first - bin(axis, 0)) / kSums);
         velocity.value += box_.flow_speed((slab + 0.5) * width);

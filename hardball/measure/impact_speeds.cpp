@@ -89,8 +89,7 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
                         "Kinetic theory: pairs collide in proportion to their normal relative speed; "
                         "docs/measures.md"};
   const MeetingSpeed theory(motion_);
-  const FunctionOfMeans speed_of = [](std::span<const double> means) { return means[kSpeed]; };
-  const Transient transient = find_transient(average_, std::array{speed_of}, scene.settled());
+  const Transient transient = find_transient(average_, std::array{mean_of(kSpeed)}, scene.settled());
   const BlockAverage average = transient.left_out_of(average_);
   // The sum over pairs of species, weighted by their collisions, of a function of their reduced mass.
   const bool is_equilibrium = scene.has_equilibrium(motion_);
@@ -104,27 +103,25 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
     }
     return is_equilibrium && average_.samples() > 0 ? sum : kNoNumber;
   };
-  found.quantities.push_back({"mean_impact_speed", "L T^-1", average.mean(kSpeed), average.error(kSpeed),
-                              over_pairs([&](double mass) { return theory.mean() / std::sqrt(mass); })});
-  found.quantities.push_back({"mean_square_impact_speed", "L^2 T^-2", average.mean(kSpeedSquare),
-                              average.error(kSpeedSquare),
-                              over_pairs([&](double mass) { return theory.mean_square() / mass; })});
-  const std::vector<Estimate> densities = average.histogram(0, kBins);
-  Column speed{"impact_speed", "L T^-1", ColumnRole::argument, {}};
-  Column density{"probability_density", "L^-1 T", ColumnRole::value, {}};
-  Column error{"probability_density_error", "L^-1 T", ColumnRole::error, {}};
-  Column expected{"probability_density_theory", "L^-1 T", ColumnRole::theory, {}};
+  found.add("mean_impact_speed", "L T^-1", average.ratio(kSpeed),
+            over_pairs([&](double mass) { return theory.mean() / std::sqrt(mass); }));
+  found.add("mean_square_impact_speed", "L^2 T^-2", average.ratio(kSpeedSquare),
+            over_pairs([&](double mass) { return theory.mean_square() / mass; }));
+  std::vector<Estimate> densities = average.histogram(0, kBins);
+  std::vector<double> speeds;
+  std::vector<double> expected;
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     const double low = static_cast<double>(bin) * width_;
     const double high = static_cast<double>(bin + 1) * width_;
-    speed.values.push_back((low + high) / 2);
-    density.values.push_back(densities[bin].value / width_);
-    error.values.push_back(densities[bin].error / width_);
-    expected.values.push_back(over_pairs([&](double mass) {
+    speeds.push_back((low + high) / 2);
+    densities[bin] = densities[bin] / width_;
+    expected.push_back(over_pairs([&](double mass) {
       return (theory.below(high * std::sqrt(mass)) - theory.below(low * std::sqrt(mass))) / width_;
     }));
   }
-  found.columns = {std::move(speed), std::move(density), std::move(error), std::move(expected)};
+  found.add_argument("impact_speed", "L T^-1", std::move(speeds));
+  found.add_estimates("probability_density", "L^-1 T", densities);
+  found.add_theory(std::move(expected));
   transient.note_in(found);
   if (scene.fluid().is_ideal()) {
     for (Quantity& quantity : found.quantities) leave_open(quantity, kVelocitiesOfTheStart);

@@ -8,8 +8,6 @@
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/time_correlation.hpp"
 #include "hardball/statistics/measurement.hpp"
-#include "hardball/theory/fluid_theory.hpp"
-#include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
 
@@ -38,16 +36,11 @@ class MeanSquareDisplacement {
  private:
   friend class Persistence;
   MeanSquareDisplacement() = default;
-  static void persist(auto& archive, auto& self) {
-    archive(self.theory_, self.motion_, self.dimensions_, self.mean_free_time_, self.begin_, self.average_);
-  }
+  static void persist(auto& archive, auto& self) { archive(self.conditions_, self.begin_, self.average_); }
 
   Diffusion diffusion(const Scene& scene, std::size_t species) const;
 
-  FluidTheory theory_;
-  ThermalMotion motion_;  // at the start
-  double dimensions_;
-  double mean_free_time_;  // expected [T]
+  DiffusionConditions conditions_;
   Time begin_;
   TimeCorrelation average_;
 };

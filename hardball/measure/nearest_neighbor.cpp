@@ -91,18 +91,13 @@ Measurement NearestNeighbor::result(const Scene& scene) const {
       .formula = "probability density of the gap between a sphere and the one whose surface is nearest",
       .source = "Torquato, Phys. Rev. E 51 (1995) 3170"};
   if (widest_ == 0) return result;
-  const FunctionOfMeans gap_of = [&](std::span<const double> means) {
-    return means[gaps_bin()] / means[known_bin()];
-  };
-  const Transient transient =
-      find_transient(average_, std::array{gap_of}, scene.settled(), BlockAverage::Groups::coupled);
+  const FunctionOfMeans gap_of = ratio_of(gaps_bin(), known_bin());
+  constexpr auto kCoupled = BlockAverage::Groups::coupled;
+  const Transient transient = find_transient(average_, std::array{gap_of}, scene.settled(), kCoupled);
   const BlockAverage average = transient.left_out_of(average_);
-  const Estimate mean = average.estimate(gap_of, BlockAverage::Groups::coupled);
-  const std::vector<Estimate> shares = average.histogram(0, bins_, spheres_bin());
-  Column gap{"gap", "L", ColumnRole::argument, {}};
-  Column value{"probability_density", "L^-1", ColumnRole::value, {}};
-  Column error{"probability_density_error", "L^-1", ColumnRole::error, {}};
-  Column theory{"probability_density_theory", "L^-1", ColumnRole::theory, {}};
+  std::vector<Estimate> densities = average.histogram(0, bins_, spheres_bin());
+  std::vector<double> gaps;
+  std::vector<double> theory;
   const double width = widest_ / static_cast<double>(bins_);
   const auto none_within = [&](double gap_width) {
     return nearest_neighbor_beyond(packing_fraction_, 1 + gap_width / diameter_, dimensions_);
@@ -112,17 +107,17 @@ Measurement NearestNeighbor::result(const Scene& scene) const {
     const double low = static_cast<double>(bin) * width;
     const double middle = low + width / 2;
     const double high = low + width;
-    gap.values.push_back(middle);
-    value.values.push_back(shares[bin].value / width);
-    error.values.push_back(shares[bin].error / width);
-    theory.values.push_back((none_within(low) - none_within(high)) / width);
+    gaps.push_back(middle);
+    densities[bin] = densities[bin] / width;
+    theory.push_back((none_within(low) - none_within(high)) / width);
     // The mean is the integral of the probability that the gap is wider; by Simpson's rule.
     mean_by_theory += (none_within(low) + 4 * none_within(middle) + none_within(high)) * width / 6;
   }
   const double tolerance = scene.has_equilibrium(motion_) ? kGapTolerance * mean_by_theory : kForComparison;
-  result.quantities = {{"mean_gap", "L", mean.value, mean.error, mean_by_theory, tolerance}};
-  result.columns = {std::move(gap), std::move(value), std::move(error)};
-  if (std::isfinite(packing_fraction_)) result.columns.push_back(std::move(theory));
+  result.add("mean_gap", "L", average.estimate(gap_of, kCoupled), mean_by_theory, tolerance);
+  result.add_argument("gap", "L", std::move(gaps));
+  result.add_estimates("probability_density", "L^-1", densities);
+  if (std::isfinite(packing_fraction_)) result.add_theory(std::move(theory));
   transient.note_in(result);
   if (may_overlap(scene.world())) {
     leave_out(result.quantities.front(), "spheres that pass into each other have no gap between them");

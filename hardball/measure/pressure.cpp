@@ -110,13 +110,11 @@ Measurement Pressure::result(const Scene& scene) const {
       is_energy_conserved(motion_, scene.thermal_motion()) ? theory_.compressibility() : kNoNumber;
   const double tolerance = theory_.tolerance() * (expected - 1);
   const double kinetic_pressure = 2 * motion_.energy / (dimensions_ * volume);
-  const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& quantity, double scale) {
-    const Estimate estimate = average.estimate(quantity);
-    found.quantities.push_back(
-        {std::move(name), unit, estimate.value, estimate.error, scale * expected, scale * tolerance});
+  const auto add = [&](std::string name, const char* unit, const Estimate& estimate, double scale) {
+    found.add(std::move(name), unit, estimate, scale * expected, scale * tolerance);
   };
-  add("compressibility", "1", compressibility, 1);
-  add("pressure", unit_of_pressure, pressure, kinetic_pressure);
+  add("compressibility", "1", average.estimate(compressibility), 1);
+  add("pressure", unit_of_pressure, average.estimate(pressure), kinetic_pressure);
   if (theory_.is_ideal()) {
     for (Quantity& of_energy_alone : found.quantities) of_energy_alone.error = 0;
   }
@@ -133,20 +131,16 @@ Measurement Pressure::result(const Scene& scene) const {
     const double elapsed = average.total(BlockAverage::kWeight);
     estimate.error =
         std::fmax(estimate.error, std::hypot(collisional_error, kinetic_error(k, elapsed) / volume));
-    const double scale = is_diagonal ? kinetic_pressure : 0;
-    found.quantities.push_back({std::string("pressure_") + kTensor[k].name, unit_of_pressure, estimate.value,
-                                estimate.error, scale * expected, scale * tolerance});
+    add(std::string("pressure_") + kTensor[k].name, unit_of_pressure, estimate,
+        is_diagonal ? kinetic_pressure : 0);
     if (k == kXy && box_.shear().rate != 0) of_shear = estimate;
   }
   if (of_shear) add_viscosity(found, average, *of_shear, scene.world().interactions().are_elastic());
   add_walls(found, average);
 
-  found.columns = {
-      {"time", "T", ColumnRole::argument, whole.middles()},
-      {"compressibility", "1", ColumnRole::value, whole.history(compressibility)},
-      {"pressure", unit_of_pressure, ColumnRole::value, whole.history(pressure)},
-  };
-  for (double& time : found.columns.front().values) time += begin_.value();
+  found.add_argument("time", "T", whole.middles(begin_.value()));
+  found.add_values("compressibility", "1", whole.history(compressibility));
+  found.add_values("pressure", unit_of_pressure, whole.history(pressure));
   transient.note_in(found);
   return found;
 }
@@ -157,8 +151,8 @@ void Pressure::add_viscosity(Measurement& found, const BlockAverage& average, co
   const double rate = box_.shear().rate;
   const double kinetic = average.mean(kKinetic) + average.mean(kKinetic + 1) + average.mean(kKinetic + 2);
   const double expected = is_elastic ? theory_.viscosity(kinetic / (dimensions_ * spheres_)) : kNoNumber;
-  found.quantities.push_back({"viscosity", viscosity_unit(box_), -pressure_xy.value / rate,
-                              pressure_xy.error / std::fabs(rate), expected, kForComparison});
+  found.add("viscosity", viscosity_unit(box_),
+            {-pressure_xy.value / rate, pressure_xy.error / std::fabs(rate)}, expected, kForComparison);
 }
 
 // The standard deviation of a component of the kinetic part, averaged over some time [M L^2 T^-2]. At one
@@ -201,9 +195,7 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
   const double areas = sum_over_walls(area);
   const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& at_walls,
                        const FunctionOfMeans& from_inside) {
-    const Estimate estimate = average.estimate(at_walls);
-    const double expected = average.estimate(from_inside).value;
-    found.quantities.push_back({std::move(name), unit, estimate.value, estimate.error, expected});
+    found.add(std::move(name), unit, average.estimate(at_walls), average.estimate(from_inside).value);
   };
   const auto kinetic = [](Means means) {
     return means[kKinetic] + means[kKinetic + 1] + means[kKinetic + 2];

@@ -151,21 +151,16 @@ Measurement Temperature::result(const Scene& scene) const {
   if (is_followed_) all = transient.left_out_of(up_to_now.energy_).estimate(of_all);
   if (is_followed_ && is_conserved) all.error = 0;
   if (duration(begin_, scene.now()) == 0) all.value = motion_.temperature();
-  found.quantities.push_back({.name = "temperature",
-                              .unit = kEnergyUnit,
-                              .value = all.value,
-                              .error = all.error,
-                              .reason = is_followed_ ? "" : kBegunWithoutEnergy});
-  found.columns.push_back({"time", "T", ColumnRole::argument,
-                           samples_.history([&](Means means) { return begin_.value() + means[kTime]; })});
-  found.columns.push_back({"temperature", kEnergyUnit, ColumnRole::value,
-                           samples_.history([](Means means) { return means[kAll]; })});
+  found.add("temperature", kEnergyUnit, all).reason = is_followed_ ? "" : kBegunWithoutEnergy;
+  found.add_argument("time", "T",
+                     samples_.history([&](Means means) { return begin_.value() + means[kTime]; }));
+  found.add_values("temperature", kEnergyUnit, samples_.history(mean_of(kAll)));
   const double tolerance = scene.has_equilibrium(motion_) ? 0 : kForComparison;
   for (const Part& part : parts) {
-    const Estimate value = all * samples.estimate(share_of(part), BlockAverage::Groups::exchanging);
-    found.quantities.push_back({part.name, kEnergyUnit, value.value, value.error, all.value, tolerance});
-    found.columns.push_back({part.name, kEnergyUnit, ColumnRole::value,
-                             samples_.history([&](Means means) { return means[part.bin] / part.freedom; })});
+    const Estimate share = samples.estimate(share_of(part), BlockAverage::Groups::exchanging);
+    found.add(part.name, kEnergyUnit, all * share, all.value, tolerance);
+    found.add_values(part.name, kEnergyUnit,
+                     samples_.history([&](Means means) { return means[part.bin] / part.freedom; }));
   }
   transient.note_in(found);
   return found;

@@ -4,11 +4,10 @@
 
 #include <string_view>
 
+#include "hardball/measure/diffusion.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/time_correlation.hpp"
 #include "hardball/statistics/measurement.hpp"
-#include "hardball/theory/fluid_theory.hpp"
-#include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
 
@@ -37,15 +36,10 @@ class VelocityAutocorrelation {
  private:
   friend class Persistence;
   VelocityAutocorrelation() = default;
-  static void persist(auto& archive, auto& self) {
-    archive(self.theory_, self.motion_, self.dimensions_, self.mean_free_time_, self.average_, self.begin_);
-  }
-  bool restored();
+  static void persist(auto& archive, auto& self) { archive(self.conditions_, self.average_, self.begin_); }
+  bool restored() const;
 
-  FluidTheory theory_;
-  ThermalMotion motion_;  // at the start
-  double dimensions_;
-  double mean_free_time_;  // expected [T]
+  DiffusionConditions conditions_;
   Time begin_;
   TimeCorrelation average_;
 };

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/velocity_distribution.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -84,9 +86,7 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
   const Transient transient =
       find_transient(average_, std::array{kurtosis_of}, scene.settled(), BlockAverage::Groups::exchanging);
   const BlockAverage average = transient.left_out_of(average_);
-  const Estimate kurtosis = average.estimate(kurtosis_of, BlockAverage::Groups::exchanging);
   const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
-  const Estimate mean = mean_speed(average, kSpeed, kSquare, kSpheres, is_conserved);
   // 5/3 for many spheres, 2 for many discs; exact where the energy is fixed.
   const double freedom = motion_.degrees_of_freedom;
   const auto dimensions = static_cast<double>(dimensions_);
@@ -95,39 +95,34 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
   // Faces that heat or drag the spheres keep them out of equilibrium.
   const double theory = scene.world().box().has_plain_faces() ? 1 : kNoNumber;
   const double tolerance = scene.has_equilibrium(motion_) ? 0 : kForComparison;
-  found.quantities = {{"speed_kurtosis", "1", kurtosis.value, kurtosis.error,
-                       theory * of_many * freedom / (freedom + 2), tolerance},
-                      {"mean_speed", "L T^-1", mean.value, mean.error,
-                       theory * std::sqrt(mean_of_maxwell) * mean_over_normal(freedom) *
-                           average.ratio(kExpectedSpeed, kSpheres).value,
-                       tolerance}};
-  const std::vector<Estimate> components = average.histogram(kComponents, kBins, kSpheres);
-  const std::vector<Estimate> speeds = average.histogram(kSpeeds, kBins / 2, kSpheres);
-  Column argument{"reduced_velocity", "1", ColumnRole::argument, {}};
-  Column component{"component_density", "1", ColumnRole::value, {}};
-  Column component_error{"component_density_error", "1", ColumnRole::error, {}};
-  Column component_theory{"component_density_theory", "1", ColumnRole::theory, {}};
-  Column speed{"speed_density", "1", ColumnRole::value, {}};
-  Column speed_error{"speed_density_error", "1", ColumnRole::error, {}};
-  Column speed_theory{"speed_density_theory", "1", ColumnRole::theory, {}};
+  found.add("speed_kurtosis", "1", average.estimate(kurtosis_of, BlockAverage::Groups::exchanging),
+            theory * of_many * freedom / (freedom + 2), tolerance);
+  found.add("mean_speed", "L T^-1", mean_speed(average, kSpeed, kSquare, kSpheres, is_conserved),
+            theory * std::sqrt(mean_of_maxwell) * mean_over_normal(freedom) *
+                average.ratio(kExpectedSpeed, kSpheres).value,
+            tolerance);
+  std::vector<Estimate> components = average.histogram(kComponents, kBins, kSpheres);
+  // There are no negative speeds.
+  std::vector<Estimate> speeds(kBins / 2);
+  std::ranges::copy(average.histogram(kSpeeds, kBins / 2, kSpheres), std::back_inserter(speeds));
+  std::vector<double> argument;
+  std::vector<double> component_theory;
+  std::vector<double> speed_theory;
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     const double low = (static_cast<double>(bin) - kBins / 2) * kWidth;
     const double high = (static_cast<double>(bin + 1) - kBins / 2) * kWidth;
-    argument.values.push_back((low + high) / 2);
-    component.values.push_back(components[bin].value / dimensions / kWidth);
-    component_error.values.push_back(components[bin].error / dimensions / kWidth);
-    component_theory.values.push_back(theory * (component_below(high) - component_below(low)) / kWidth);
-    const bool is_speed = bin >= kBins / 2;
-    const Estimate of_speed = is_speed ? speeds[bin - kBins / 2] : Estimate{};
-    speed.values.push_back(of_speed.value / kWidth);
-    speed_error.values.push_back(of_speed.error / kWidth);
-    speed_theory.values.push_back(
-        is_speed ? theory * (speed_below(high, dimensions_) - speed_below(low, dimensions_)) / kWidth
-                 : kNoNumber);
+    argument.push_back((low + high) / 2);
+    components[bin] = components[bin] / dimensions / kWidth;
+    component_theory.push_back(theory * (component_below(high) - component_below(low)) / kWidth);
+    speeds[bin] = speeds[bin] / kWidth;
+    const double of_speed = speed_below(high, dimensions_) - speed_below(low, dimensions_);
+    speed_theory.push_back(bin >= kBins / 2 ? theory * of_speed / kWidth : kNoNumber);
   }
-  found.columns = {std::move(argument),         std::move(component), std::move(component_error),
-                   std::move(component_theory), std::move(speed),     std::move(speed_error),
-                   std::move(speed_theory)};
+  found.add_argument("reduced_velocity", "1", std::move(argument));
+  found.add_estimates("component_density", "1", components);
+  found.add_theory(std::move(component_theory));
+  found.add_estimates("speed_density", "1", speeds);
+  found.add_theory(std::move(speed_theory));
   transient.note_in(found);
   return found;
 }

@@ -48,7 +48,7 @@ class WallForces {
   static void persist(auto& archive, auto& self) {
     archive(self.walls_, self.indices_, self.begin_, self.last_, self.average_, self.along_);
   }
-  bool restored();
+  bool restored() const;
 
   // Bins of each wall.
   static constexpr std::size_t kForce = 0;  // along the normal [M L T^-2]
@@ -66,7 +66,7 @@ class WallForces {
   Time begin_;
   Time last_;
   BlockAverage average_;
-  BlockAverage along_{0};  // tangential forces [M L T^-2], by wall and axis; none if a former version began
+  BlockAverage along_;  // tangential forces [M L T^-2], by wall and axis
 };
 
 }  // namespace hardball

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/no_number.hpp"
@@ -47,17 +46,6 @@ void BlockAverage::add(std::span<const double> values, double time, double weigh
   HARDBALL_CHECK(values.size() == bins_ && groups_ == 1);
   for (std::size_t bin = 0; bin < bins_; ++bin) put(bin, values[bin] * weight);
   close_sample(time, weight);
-}
-
-void BlockAverage::add_bin() {
-  std::vector<double> sums;
-  for (std::size_t begin = 0; begin < sums_.size(); begin += bins_) {
-    const auto first = sums_.begin() + static_cast<std::ptrdiff_t>(begin);
-    sums.insert(sums.end(), first, first + static_cast<std::ptrdiff_t>(bins_));
-    sums.push_back(0);
-  }
-  sums_ = std::move(sums);
-  ++bins_;
 }
 
 void BlockAverage::close_block() {
@@ -221,11 +209,11 @@ std::vector<double> BlockAverage::history(const FunctionOfMeans& quantity) const
   return values;
 }
 
-std::vector<double> BlockAverage::middles() const {
+std::vector<double> BlockAverage::middles(double start) const {
   std::vector<double> values;
   double before = 0;
   for (std::size_t block = 0; block < full_blocks_; ++block) {
-    if (weights_[block] > 0) values.push_back(before + weights_[block] / 2);
+    if (weights_[block] > 0) values.push_back(start + (before + weights_[block] / 2));
     before += weights_[block];
   }
   return values;

@@ -53,9 +53,6 @@ class BlockAverage {
   /// How many blocks there are, the last of which may be shorter; those left out do not count.
   std::size_t blocks() const { return full_blocks_ - first_ + (samples_in_block_ > 0 ? 1 : 0); }
 
-  /// Adds a bin, empty so far.
-  void add_bin();
-
   /// Adds a sample: `values` with their `weight`, such as the time for which they held, up to `time`, which
   /// never decreases. Precondition: one value for each bin; the weight is not negative; there are no groups.
   /// Cost: O(bins).
@@ -112,8 +109,8 @@ class BlockAverage {
 
   /// The history: `quantity` of the means over each full block that has weight; none is left out.
   std::vector<double> history(const FunctionOfMeans& quantity) const;
-  /// The weight before the middle of each of these blocks: its time since the start, if weights are times.
-  std::vector<double> middles() const;
+  /// The time at the middle of each of these blocks, if weights are times and the first began at `start`.
+  std::vector<double> middles(double start) const;
 
  private:
   friend class Persistence;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <span>
@@ -28,8 +29,26 @@ Estimate resolved(const Estimate& estimate);
 /// A product of factors with independent errors.
 Estimate operator*(const Estimate& a, const Estimate& b);
 
+/// An estimate in another unit.
+inline Estimate operator*(double factor, const Estimate& estimate) {
+  return {factor * estimate.value, factor * estimate.error};
+}
+inline Estimate operator/(const Estimate& estimate, double unit) {
+  return {estimate.value / unit, estimate.error / unit};
+}
+
 /// A function of several means, such as a ratio or a fit.
 using FunctionOfMeans = std::function<double(std::span<const double> means)>;
+
+/// One of the means.
+inline FunctionOfMeans mean_of(std::size_t bin) {
+  return [bin](std::span<const double> means) { return means[bin]; };
+}
+
+/// One of the means over another.
+inline FunctionOfMeans ratio_of(std::size_t bin, std::size_t over) {
+  return [=](std::span<const double> means) { return means[bin] / means[over]; };
+}
 
 /// A number computed from parts, and by how much each part moved it.
 struct Parts {

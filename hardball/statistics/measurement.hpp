@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "hardball/errors/language.hpp"
+#include "hardball/statistics/estimate.hpp"
 
 namespace hardball {
 
@@ -65,11 +66,27 @@ struct Measurement {
   bool is_logarithmic_in_argument = false;  ///< How the function is best drawn.
   bool is_logarithmic_in_value = false;
 
+  /// Adds a number; `theory` and `tolerance` are as in Quantity.
+  Quantity& add(std::string quantity, std::string unit, const Estimate& estimate,
+                double theory = std::numeric_limits<double>::quiet_NaN(), double tolerance = 0);
+  /// Adds the argument of the columns that are added after it.
+  void add_argument(std::string column, std::string unit, std::vector<double> values);
+  /// Adds a column without errors, such as a history.
+  void add_values(std::string column, std::string unit, std::vector<double> values);
+  /// Adds a column and that of its errors, named with "_error".
+  void add_estimates(const std::string& column, const std::string& unit,
+                     const std::vector<Estimate>& estimates);
+  /// Adds the theory of the estimates that were added last, named with "_theory".
+  void add_theory(std::vector<double> values);
+
   static void persist(auto& archive, auto& self) {
     archive(self.name, self.title, self.formula, self.source, self.quantities, self.columns, self.duration,
             self.transient, self.is_transient_over, self.is_logarithmic_in_argument,
             self.is_logarithmic_in_value, self.unsettled);
   }
 };
+
+/// The middles of bins of equal width, the first of which begins at `low`.
+std::vector<double> bin_middles(double low, double width, std::size_t bins);
 
 }  // namespace hardball

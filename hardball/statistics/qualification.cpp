@@ -23,11 +23,6 @@ int power_of_time(const std::string& unit) {
   return has_exponent ? std::stoi(unit.substr(time + 2)) : 1;
 }
 
-// The temperature sets the scale of time, and of nothing else.
-bool depends_on_temperature(const Quantity& quantity) {
-  return power_of_time(quantity.unit) != 0;
-}
-
 // A number with the unit of a power of time is proportional to as many inverse roots of the temperature.
 double widened(double error, double value, const std::string& unit, const StartSpread& spread) {
   if (error == 0) return 0;
@@ -49,16 +44,18 @@ void widen(Measurement& measurement, const StartSpread& spread) {
 
 }  // namespace
 
-Quantity no_estimate(const std::string& name, const std::string& unit, double value,
-                     const std::string& reason) {
-  return {.name = name, .unit = unit, .value = value, .reason = reason};
-}
-
 void leave_open(Quantity& quantity, const std::string& reason) {
   if (quantity.error == 0) return;
   quantity.error = kNoNumber;
   quantity.tolerance = kForComparison;
   if (quantity.reason.empty()) quantity.reason = reason;
+}
+
+void leave_all_open(Measurement& measurement, const std::string& reason) {
+  for (Quantity& quantity : measurement.quantities) leave_open(quantity, reason);
+  for (Column& column : measurement.columns) {
+    if (column.role == ColumnRole::error) std::ranges::fill(column.values, kNoNumber);
+  }
 }
 
 void leave_out(Quantity& quantity, const std::string& reason) {
@@ -73,21 +70,16 @@ void require_not_negative(Quantity& quantity) {
 void qualify(Measurement& measurement, const Settled& settled) {
   constexpr double kLongPart = 0.125;
   if (settled.spread.temperature > 0) widen(measurement, settled.spread);
-  const auto leave_all_open = [&](const std::string& reason) {
-    for (Quantity& quantity : measurement.quantities) leave_open(quantity, reason);
-    for (Column& column : measurement.columns) {
-      if (column.role == ColumnRole::error) std::ranges::fill(column.values, kNoNumber);
-    }
-  };
   if (!settled.is_over) {
-    leave_all_open(settled.reason);
+    leave_all_open(measurement, settled.reason);
     measurement.is_transient_over = false;
     measurement.unsettled = settled.reason;
   } else if (measurement.transient < settled.end && settled.end > kLongPart * measurement.duration) {
-    leave_all_open(kFromTheStart);
+    leave_all_open(measurement, kFromTheStart);
   }
   for (Quantity& quantity : measurement.quantities) {
-    if (!settled.is_steady && depends_on_temperature(quantity)) leave_open(quantity, kNotSteady);
+    // The temperature sets the scale of time, and of nothing else.
+    if (!settled.is_steady && power_of_time(quantity.unit) != 0) leave_open(quantity, kNotSteady);
     const bool is_open = std::isfinite(quantity.value) && std::isnan(quantity.error);
     if (is_open && quantity.reason.empty()) quantity.reason = kTooShort;
   }

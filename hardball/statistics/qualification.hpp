@@ -12,13 +12,12 @@ namespace hardball {
 
 inline constexpr const char* kNotSteady = "the temperature keeps changing and there is no steady state";
 
-/// A number that is no estimate, such as a count, and so has no error, for a reason without a comma.
-Quantity no_estimate(const std::string& name, const std::string& unit, double value,
-                     const std::string& reason);
-
 /// Removes the error of a quantity unless its value is exact, for a reason without a comma; the theory is
 /// then for comparison only.
 void leave_open(Quantity& quantity, const std::string& reason);
+
+/// Removes the errors of all quantities, and those of columns, as leave_open() does for one.
+void leave_all_open(Measurement& measurement, const std::string& reason);
 
 /// Removes the value and the error of a quantity, for a reason without a comma.
 void leave_out(Quantity& quantity, const std::string& reason);

@@ -9,7 +9,6 @@
 #include <optional>
 #include <vector>
 
-#include "hardball/numbers/no_number.hpp"
 #include "hardball/statistics/qualification.hpp"
 
 namespace hardball {
@@ -109,10 +108,7 @@ void Transient::note_in(Measurement& measurement) const {
   measurement.is_transient_over = is_over;
   if (is_over) return;
   measurement.unsettled = reason;
-  for (Quantity& quantity : measurement.quantities) leave_open(quantity, reason);
-  for (Column& column : measurement.columns) {
-    if (column.role == ColumnRole::error) std::fill(column.values.begin(), column.values.end(), kNoNumber);
-  }
+  leave_all_open(measurement, reason);
 }
 
 }  // namespace hardball

@@ -10,6 +10,24 @@
 namespace hardball::csv_test {
 namespace {
 
+// As columns_csv() and quantities_csv() have it.
+TEST(Measurement, AddsNumbersAndColumnsWithErrorsAndTheory) {
+  Measurement found{.name = "things", .title = "", .formula = "", .source = ""};
+  found.add("size", "L", {2, 0.5}, 3, 0.25).reason = "why";
+  found.add("count", "1", {7});
+  found.add_argument("radius", "L", bin_middles(1, 0.5, 2));
+  found.add_values("all", "1", {5, 6});
+  found.add_estimates("part", "1", {{0.5, 0.125}, {}});
+  found.add_theory({0.75, 1});
+  EXPECT_EQ(columns_csv(found),
+            "radius [L],all [1],part [1],part_error [1],part_theory [1]\n"
+            "1.25,5,0.5,0.125,0.75\n1.75,6,nan,nan,1\n");
+  EXPECT_EQ(quantities_csv(std::vector{found}),
+            "measure,name,value,error,theory,unit,transient [T],tolerance,reason\n"
+            "things,size,2,0.5,3,L,0,0.25,why\nthings,count,7,nan,nan,1,0,0,\n");
+  EXPECT_EQ(found.columns.back().role, ColumnRole::theory);
+}
+
 TEST(Csv, NamesColumnsWithTheirUnitsAndRoundTrips) {
   const double third = 1.0 / 3;
   const Measurement measurement{
