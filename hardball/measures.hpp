@@ -6,4 +6,4 @@
 /// theory; and these results as text.
 #include "hardball/errors/compilation.hpp"
 #include "hardball/measure/measures.hpp"
-#include "hardball/statistics/csv.hpp"
+#include "hardball/statistics/measurement.hpp"

@@ -12,7 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/open_output.hpp"
 #include "hardball/io/replace_file.hpp"
-#include "hardball/statistics/csv.hpp"
+#include "hardball/statistics/measurement.hpp"
 
 namespace hardball::cli {
 namespace {

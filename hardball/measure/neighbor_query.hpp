@@ -16,6 +16,9 @@ namespace hardball {
 /// Infinite if no axis is periodic.
 double shortest_period(const Box& box);
 
+/// Whether two boxes have the same edges and boundaries.
+bool is_same_box(const Box& a, const Box& b);
+
 /// All spheres at one time, numbered in the order of ids, and their neighbors: the input of the measures of
 /// structure. Nothing depends on where spheres are stored.
 class NeighborQuery {

@@ -16,6 +16,8 @@
 namespace hardball {
 namespace {
 
+using Means = std::span<const double>;
+
 struct Component {
   std::size_t first;
   std::size_t second;
@@ -23,6 +25,10 @@ struct Component {
 };
 constexpr std::array<Component, 6> kTensor{
     {{0, 0, "xx"}, {1, 1, "yy"}, {2, 2, "zz"}, {0, 1, "xy"}, {0, 2, "xz"}, {1, 2, "yz"}}};
+
+double trace(Means means, std::size_t begin) {
+  return means[begin] + means[begin + 1] + means[begin + 2];
+}
 
 // A component that there is not in two dimensions.
 bool is_along_z(const Component& component) {
@@ -93,15 +99,12 @@ Measurement Pressure::result(const Scene& scene) const {
   up_to_now.advance(scene.now());
   const BlockAverage& whole = up_to_now.average_;
 
-  const auto trace = [](std::span<const double> means, std::size_t begin) {
-    return means[begin] + means[begin + 1] + means[begin + 2];
-  };
   const double volume = box_.volume();
   const char* const unit_of_pressure = pressure_unit(box_);
-  const FunctionOfMeans compressibility = [&](std::span<const double> means) {
+  const FunctionOfMeans compressibility = [&](Means means) {
     return 1 + trace(means, kCollisional) / trace(means, kKinetic);
   };
-  const auto pressure = [&](std::span<const double> means) {
+  const auto pressure = [&](Means means) {
     return (trace(means, kKinetic) + trace(means, kCollisional)) / (dimensions_ * volume);
   };
   const Transient transient = find_transient(whole, std::array{compressibility}, scene.settled());
@@ -122,11 +125,10 @@ Measurement Pressure::result(const Scene& scene) const {
   for (std::size_t k = 0; k < kComponents; ++k) {
     if (box_.is_flat() && is_along_z(kTensor[k])) continue;
     const bool is_diagonal = kTensor[k].first == kTensor[k].second;
-    Estimate estimate = average.estimate([&](std::span<const double> means) {
-      return (means[kKinetic + k] + means[kCollisional + k]) / volume;
-    });
+    Estimate estimate = average.estimate(
+        [&](Means means) { return (means[kKinetic + k] + means[kCollisional + k]) / volume; });
     const Estimate collisional =
-        average.estimate([&](std::span<const double> means) { return means[kCollisional + k] / volume; });
+        average.estimate([&](Means means) { return means[kCollisional + k] / volume; });
     const double collisional_error = collisional.value == 0 ? 0 : collisional.error;
     const double elapsed = average.total(BlockAverage::kWeight);
     estimate.error =
@@ -171,7 +173,6 @@ double Pressure::kinetic_error(std::size_t component, double elapsed) const {
 // The virial theorem: along an axis with walls, the kinetic and collisional parts equal the force on a face
 // times the length open to the centers, averaged over those that hit it.
 void Pressure::add_walls(Measurement& found, const BlockAverage& average) const {
-  using Means = std::span<const double>;
   const auto area = [&](std::size_t axis) { return box_.face_area(axis); };
   const auto force = [](Means means, std::size_t axis) {
     return (means[kFaceForces + face_of(axis, false)] + means[kFaceForces + face_of(axis, true)]) / 2;
@@ -197,18 +198,15 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
                        const FunctionOfMeans& from_inside) {
     found.add(std::move(name), unit, average.estimate(at_walls), average.estimate(from_inside).value);
   };
-  const auto kinetic = [](Means means) {
-    return means[kKinetic] + means[kKinetic + 1] + means[kKinetic + 2];
-  };
   add(
       "compressibility_from_walls", "1",
       [&](Means means) {
         const auto virial = [&](std::size_t axis) { return force(means, axis) * open_length(means, axis); };
-        return dimensions_ / axes * sum_over_walls(virial) / kinetic(means);
+        return dimensions_ / axes * sum_over_walls(virial) / trace(means, kKinetic);
       },
       [&](Means means) {
         return dimensions_ / axes * sum_over_walls([&](std::size_t axis) { return inside(means, axis); }) /
-               kinetic(means);
+               trace(means, kKinetic);
       });
   add(
       "wall_pressure", pressure_unit(box_),
@@ -234,10 +232,6 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
     const double of_one = impulse / average.total(kHits) / area(axis) / average.total(BlockAverage::kWeight);
     found.quantities.back().error = std::hypot(found.quantities.back().error, of_one);
   }
-}
-
-bool Pressure::restored() const {
-  return average_.has(kBins);
 }
 
 }  // namespace hardball

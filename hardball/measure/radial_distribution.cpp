@@ -9,7 +9,6 @@
 #include <numbers>
 #include <utility>
 
-#include "hardball/measure/same_box.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/numbers/no_number.hpp"
 #include "hardball/statistics/qualification.hpp"

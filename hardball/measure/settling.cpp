@@ -270,10 +270,6 @@ bool Settling::is_drifting(const FunctionOfMeans& temperature, const ThermalMoti
   return std::fabs(last - before) > allowed;
 }
 
-bool Settling::matches(const World& world) const {
-  return species_.matches(world);
-}
-
 bool Settling::restored() const {
   const auto is_mode = [&](const Mode& mode) { return mode.axis < kAxes && mode.species <= species_.size(); };
   return places_.size() <= kMostFollowed && std::ranges::all_of(modes_, is_mode) &&

@@ -37,7 +37,7 @@ class Settling {
   Settled found(const Scene& scene) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
-  bool matches(const World& world) const;
+  bool matches(const World& world) const { return species_.matches(world); }
 
  private:
   friend class Persistence;

@@ -84,8 +84,7 @@ StructureFactor::StructureFactor(const Scene& scene, double longest,
   const World& world = scene.world();
   if (world.size() == 0) return;
   unit_ = 2 * std::numbers::pi * world.box().inverse_period();
-  world.for_each_by_id([&](Slot slot) { diameter_ += 2 * world.base_radius(slot); });
-  diameter_ /= static_cast<double>(world.size());
+  diameter_ = 2 * mean_radius(world);
   constexpr std::size_t kMaxInShell = 6;
   constexpr std::size_t kMaxProducts = 150000;  // of spheres and vectors of a shell
   const std::size_t affordable = std::clamp<std::size_t>(kMaxProducts / world.size(), 1, kMaxInShell);

@@ -171,8 +171,4 @@ bool Temperature::restored() const {
          masses_.size() == species_.size();
 }
 
-bool Temperature::matches(const World& world) const {
-  return species_.matches(world);
-}
-
 }  // namespace hardball

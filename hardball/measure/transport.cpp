@@ -188,8 +188,7 @@ constexpr FreeTimes kFreeTimesOfOne{16, 32};
 
 std::string obstacle_of(const Scene& scene) {
   const World& world = scene.world();
-  for (std::size_t axis = 0; axis < world.box().dimensions(); ++axis)
-    if (!world.box().is_periodic(axis)) return "transport is measured where all axes are periodic";
+  if (!world.box().is_all(Boundary::periodic)) return "transport is measured where all axes are periodic";
   if (!world.surfaces().empty() || !world.motion().is_straight())
     return "transport is measured without walls and gravity";
   if (world.has_steps()) return "transport is measured without potentials of steps";

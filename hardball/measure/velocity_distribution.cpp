@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/measure/sphere_groups.hpp"
 #include "hardball/numbers/no_number.hpp"
 #include "hardball/statistics/transient.hpp"
 #include "hardball/world/images.hpp"
@@ -125,10 +124,6 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
   found.add_theory(std::move(speed_theory));
   transient.note_in(found);
   return found;
-}
-
-bool VelocityDistribution::restored() const {
-  return average_.has(kAllBins, kSphereGroups) && (dimensions_ == 2 || dimensions_ == 3);
 }
 
 }  // namespace hardball

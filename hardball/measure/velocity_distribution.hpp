@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "hardball/measure/scene.hpp"
+#include "hardball/measure/sphere_groups.hpp"
 #include "hardball/statistics/block_average.hpp"
 #include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/thermal_motion.hpp"
@@ -35,7 +36,9 @@ class VelocityDistribution {
   static void persist(auto& archive, auto& self) {
     archive(self.spheres_, self.dimensions_, self.motion_, self.begin_, self.average_);
   }
-  bool restored() const;
+  bool restored() const {
+    return average_.has(kAllBins, kSphereGroups) && (dimensions_ == 2 || dimensions_ == 3);
+  }
 
   static constexpr std::size_t kBins = 100;  // from -5 to 5
   static constexpr double kWidth = 0.1;

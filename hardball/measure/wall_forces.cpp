@@ -164,8 +164,4 @@ bool WallForces::restored() const {
          std::ranges::all_of(indices_, is_index) && std::ranges::all_of(walls_, is_wall);
 }
 
-bool WallForces::matches(const World& world) const {
-  return indices_.size() == kFaces + world.surfaces().size();
-}
-
 }  // namespace hardball

@@ -40,7 +40,7 @@ class WallForces {
   Measurement result(const Scene& scene) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
-  bool matches(const World& world) const;
+  bool matches(const World& world) const { return indices_.size() == kFaces + world.surfaces().size(); }
 
  private:
   friend class Persistence;

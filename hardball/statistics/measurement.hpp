@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/statistics/estimate.hpp"
 
 namespace hardball {
@@ -52,7 +54,7 @@ struct Column {
 };
 
 /// The result of one measure: numbers, and a function as a table.
-struct Measurement {
+struct HARDBALL_EXPORT Measurement {
   std::string name;                       ///< As in scenarios and file names: "radial_distribution".
   std::string title;                      ///< For people: "Radial distribution function".
   std::string formula;                    ///< How the numbers are defined; LaTeX between dollar signs.
@@ -87,6 +89,15 @@ struct Measurement {
 };
 
 /// The middles of bins of equal width, the first of which begins at `low`.
-std::vector<double> bin_middles(double low, double width, std::size_t bins);
+HARDBALL_EXPORT std::vector<double> bin_middles(double low, double width, std::size_t bins);
+
+/// The columns of a measurement as comma-separated values. The first line names them, each with its unit, as
+/// in "radius [L]"; numbers read back to the same bits, and "nan" stands for a missing number.
+HARDBALL_EXPORT std::string columns_csv(const Measurement& measurement);
+
+/// The quantities of all measurements, a line for each: measure, name, value, error, theory, unit, the
+/// length of the transient left out, which is that of the whole run if the transient is not over, the
+/// tolerance of the theory, and why there is no value.
+HARDBALL_EXPORT std::string quantities_csv(std::span<const Measurement> measurements);
 
 }  // namespace hardball

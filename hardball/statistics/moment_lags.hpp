@@ -61,10 +61,7 @@ class MomentLags {
 
   // Bins of the averages: over increments of twice the lag, the square, by how much it exceeds the mean
   // square of the two parts, and the increment itself.
-  static constexpr std::size_t kSquare = 0;
-  static constexpr std::size_t kExcess = 1;
-  static constexpr std::size_t kIncrement = 2;
-  static constexpr std::size_t kBins = 3;
+  enum : std::size_t { kSquare, kExcess, kIncrement, kBins };
 
   struct Level {
     std::vector<double> held;  // the increment with which the next makes one of twice the lag

@@ -8,7 +8,7 @@
 
 #include "hardball/statistics/block_average.hpp"
 #include "hardball/statistics/measurement.hpp"
-#include "hardball/statistics/settled.hpp"
+#include "hardball/statistics/qualification.hpp"
 
 namespace hardball {
 

@@ -11,7 +11,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/statistics/csv.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 #include "support/measurement.hpp"

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hardball/measure/mean_square_displacement.hpp"
-#include "hardball/measure/velocity_autocorrelation.hpp"
+#include "hardball/measure/diffusion.hpp"
 #include "hardball/numbers/random.hpp"
 #include "support/measurement.hpp"
 

@@ -35,7 +35,7 @@ class CollisionRate {
   Measurement result(const Scene& scene) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
-  bool matches(const World& world) const;
+  bool matches(const World& world) const { return species_.matches(world); }
 
  private:
   friend class Persistence;
@@ -44,16 +44,14 @@ class CollisionRate {
     archive(self.species_, self.theory_, self.motion_, self.spheres_, self.has_walls_, self.begin_,
             self.last_, self.contacts_, self.speed_);
   }
-  bool restored() const;
+  bool restored() const {
+    return contacts_.has(kPairs + species_.size() * species_.size()) && speed_.has(3, kSphereGroups);
+  }
 
   // Bins: collisions of all, wall contacts, then collisions of each pair of species.
-  static constexpr std::size_t kCollisions = 0;
-  static constexpr std::size_t kWalls = 1;
-  static constexpr std::size_t kPairs = 2;
+  enum : std::size_t { kCollisions, kWalls, kPairs };
   std::size_t pair_bin(std::size_t a, std::size_t b) const;
-  static constexpr std::size_t kSpeed = 0;
-  static constexpr std::size_t kSquare = 1;
-  static constexpr std::size_t kSpheres = 2;
+  enum : std::size_t { kSpeed, kSquare, kSpheres };
   void advance(const Time& now);
 
   SpeciesList species_;
@@ -67,6 +65,47 @@ class CollisionRate {
   // Sums over spheres, by groups of spheres: of the speed [L/T] and of m v^2, since at fixed energy the mean
   // speed varies less than that of independent spheres.
   BlockAverage speed_{3, kSphereGroups};
+};
+
+/// The relative speed of colliding spheres along their line of centers. In equilibrium the distribution is
+/// Rayleigh's at every density, in the gas, the liquid and the crystal: the sharpest test that velocities and
+/// contacts are right. Source: docs/measures.md.
+class ImpactSpeeds {
+ public:
+  static constexpr std::string_view kName = "impact_speeds";
+
+  explicit ImpactSpeeds(const Scene& scene);
+
+  /// Cost: O(1).
+  void note(const Contact& contact);
+  /// The result up to the time of the scene.
+  Measurement result(const Scene& scene) const;
+
+  /// Whether it can continue with this world; false only if its state is damaged.
+  bool matches(const World& world) const { return species_.matches(world); }
+
+ private:
+  friend class Persistence;
+  ImpactSpeeds() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.species_, self.motion_, self.begin_, self.width_, self.bins_per_speed_, self.average_);
+  }
+  bool restored() const {
+    return average_.has(kPairs + species_.size() * species_.size()) && !(bins_per_speed_ < 0);
+  }
+
+  static constexpr std::size_t kBins = 120;
+  // Further bins of the averages.
+  static constexpr std::size_t kSpeed = kBins;             // [L/T]
+  static constexpr std::size_t kSpeedSquare = kSpeed + 1;  // [L^2 T^-2]
+  static constexpr std::size_t kPairs = kSpeedSquare + 1;  // fraction of each pair of species
+
+  SpeciesList species_;
+  ThermalMotion motion_;  // at the start
+  Time begin_;
+  double width_;           // of a bin [L/T]
+  double bins_per_speed_;  // its inverse
+  BlockAverage average_;
 };
 
 }  // namespace hardball

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/statistics/csv.hpp"
+#include "hardball/statistics/measurement.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-namespace hardball::csv_test {
+namespace hardball::measurement_test {
 namespace {
 
 // As columns_csv() and quantities_csv() have it.
@@ -57,4 +57,4 @@ TEST(Csv, NamesColumnsWithTheirUnitsAndRoundTrips) {
 }
 
 }  // namespace
-}  // namespace hardball::csv_test
+}  // namespace hardball::measurement_test
