@@ -12,7 +12,6 @@
 
 #include "hardball/interaction/contact.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/statistics/collective_moment.hpp"
 #include "hardball/statistics/measurement.hpp"
 #include "hardball/statistics/moment_lags.hpp"
 #include "hardball/theory/fluid_theory.hpp"

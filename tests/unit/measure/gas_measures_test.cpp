@@ -13,8 +13,7 @@
 
 #include "hardball/measure/measures.hpp"
 #include "hardball/measure/pressure.hpp"
-#include "hardball/measure/temperature.hpp"
-#include "hardball/measure/velocity_distribution.hpp"
+#include "hardball/measure/velocities.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
