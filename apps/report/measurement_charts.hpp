@@ -6,7 +6,7 @@
 
 #include "apps/chart/chart.hpp"
 #include "apps/report/species_names.hpp"
-#include "hardball/measure/measurement.hpp"
+#include "hardball/statistics/measurement.hpp"
 
 namespace hardball::report {
 

@@ -16,8 +16,8 @@
 #include "apps/report/page.hpp"
 #include "apps/report/species_names.hpp"
 #include "hardball/io/xml_text.hpp"
-#include "hardball/measure/agreement.hpp"
 #include "hardball/measure/event_log_hash.hpp"
+#include "hardball/statistics/agreement.hpp"
 #include "hardball/world/audit.hpp"
 
 namespace hardball::report {

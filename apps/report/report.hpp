@@ -11,7 +11,7 @@
 #include "apps/chart/chart.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/geometry/vec3.hpp"
-#include "hardball/measure/measurement.hpp"
+#include "hardball/statistics/measurement.hpp"
 
 namespace hardball::report {
 

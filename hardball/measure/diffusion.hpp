@@ -6,39 +6,107 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
-#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/time_correlation.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/fluid_theory.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
 
-/// The lag that is half as long as another; none if it is not among them.
-std::optional<std::size_t> half_lag(std::span<const double> lags, std::size_t lag);
+/// Adds a transport coefficient, and unless Enskog's value is NaN, the coefficient over that value.
+void add_with_enskog(Measurement& found, const Quantity& coefficient, double enskog);
 
-/// The diffusion constant read from means over lags, and where.
-struct Diffusion {
-  Estimate constant = {};   ///< [L^2 T^-1]
-  double lag = 0;           ///< [T]
-  std::string reason = {};  ///< Why there is no value; empty if there is one.
+/// What the measures below have in common: vectors of spheres that are followed from sample to sample, and a
+/// diffusion constant that is read from their means.
+class DiffusionMeasure {
+ public:
+  /// Without a meaning where images of the box slide.
+  static constexpr bool kNeedsImagesAtRest = true;
+
+  /// Whether it can continue with this world; false only if its state is damaged.
+  bool matches(const World& world) const { return average_.matches(world); }
+
+ protected:
+  /// D(t) at a lag as a function of the means; none if it is not known there.
+  using UpToLag = std::function<std::optional<FunctionOfMeans>(std::size_t lag)>;
+
+  DiffusionMeasure() = default;
+  DiffusionMeasure(const Scene& scene, double interval, std::size_t most_spheres,
+                   const TimeCorrelation::Shape& shape);
+
+  /// How far the common drift has moved the spheres since the start [L].
+  Vec3 drifted(const Scene& scene) const { return duration(begin_, scene.now()) * motion_.drift; }
+  /// kT at the start if the energy has been conserved until the time of the scene, otherwise NaN.
+  double initial_temperature(const Scene& scene) const;
+  /// Adds the constant of a species, that over Enskog's value, and the lag at which it was read.
+  void add_constant(const Scene& scene, std::size_t species, const UpToLag& up_to, Measurement& found) const;
+
+  FluidTheory theory_;
+  ThermalMotion motion_;  ///< At the start.
+  double dimensions_;
+  double mean_free_time_;  ///< Expected [T].
+  Time begin_;
+  TimeCorrelation average_;
 };
 
-/// Why there is no diffusion constant, whatever the lag; null if there may be one.
-const char* objection_to_diffusion(const Scene& scene);
+/// How far spheres move in a given time, and the diffusion constant. Paths are followed through periodic
+/// boundaries; a common drift along axes without walls does not count. Source: Einstein, Ann. Phys. 322
+/// (1905) 549; Allen and Tildesley, Computer Simulation of Liquids, 2nd edition, section 2.7.
+class MeanSquareDisplacement : public DiffusionMeasure {
+ public:
+  static constexpr std::string_view kName = "mean_square_displacement";
+  /// What a sample costs for each sphere followed [ns].
+  static constexpr double kCostPerSphereFollowed = 60;
 
-/// Reads the diffusion constant as D(t) at one of the lags: the one at which the error is least.
-///
-/// The error consists of that of the mean and of what may be missing beyond the lag: as velocities are
-/// forgotten as t^(-3/2) in the end, D(t) still has to change by 1 + sqrt(2) times as much as since half the
-/// lag, as far as that is more than chance. Half the lag must be at least ten mean free times, in which the
-/// rest is forgotten. Source of the decay: Alder and Wainwright, Phys. Rev. A 1 (1970) 18.
-///
-/// `up_to(lag)`: D(t) as a function of the means, none if it is not known at that lag.
-Diffusion read_diffusion(const TimeCorrelation& average, std::size_t species, double mean_free_time,
-                         const std::function<std::optional<FunctionOfMeans>(std::size_t lag)>& up_to);
+  /// Positions are compared every `interval` [T]; at most `most_spheres` are followed.
+  MeanSquareDisplacement(const Scene& scene, double interval,
+                         std::size_t most_spheres = TimeCorrelation::kMaxSpheres);
 
-/// Adds the constant, the constant over that of Enskog's theory, and the lag, of one species.
-void add_diffusion(Measurement& found, const Diffusion& diffusion, const SpeciesList& species,
-                   std::size_t which, const FluidTheory& theory, double temperature);
+  /// A time that is not a multiple of the interval after the start is ignored. Cost: see TimeCorrelation.
+  void sample(const Scene& scene);
+  /// The result up to the time of the scene.
+  Measurement result(const Scene& scene) const;
+
+ private:
+  friend class Persistence;
+  MeanSquareDisplacement() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.theory_, self.motion_, self.dimensions_, self.mean_free_time_, self.begin_, self.average_);
+  }
+};
+
+/// The decay of velocity correlations, and the diffusion constant as its integral. A common drift along axes
+/// without walls does not count. Source: Alder and Wainwright, Phys. Rev. A 1 (1970) 18; Allen and Tildesley,
+/// Computer Simulation of Liquids, 2nd edition, section 2.7.
+class VelocityAutocorrelation : public DiffusionMeasure {
+ public:
+  static constexpr std::string_view kName = "velocity_autocorrelation";
+  /// What a sample costs for each sphere followed [ns].
+  static constexpr double kCostPerSphereFollowed = 50;
+
+  /// Velocities are compared every `interval` [T]; at most `most_spheres` are followed.
+  VelocityAutocorrelation(const Scene& scene, double interval,
+                          std::size_t most_spheres = TimeCorrelation::kMaxSpheres);
+
+  /// A time that is not a multiple of the interval after the start is ignored. Cost: see TimeCorrelation.
+  void sample(const Scene& scene);
+  /// The result up to the time of the scene.
+  Measurement result(const Scene& scene) const;
+
+ private:
+  friend class Persistence;
+  VelocityAutocorrelation() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.theory_, self.motion_, self.dimensions_, self.mean_free_time_, self.average_, self.begin_);
+  }
+  bool restored() const { return average_.has(kShape); }
+
+  // Of each sphere: velocity and position. Of each lag: the product of the velocities; and the displacement
+  // times the mean of both velocities, which is the integral of the former up to the lag.
+  static constexpr TimeCorrelation::Shape kShape{.vectors = 2, .products = 2};
+};
 
 }  // namespace hardball

@@ -14,16 +14,11 @@
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
-#include "hardball/measure/bond_order.hpp"
-#include "hardball/measure/collision_rate.hpp"
-#include "hardball/measure/coordination.hpp"
-#include "hardball/measure/density_profiles.hpp"
-#include "hardball/measure/flow_profiles.hpp"
-#include "hardball/measure/impact_speeds.hpp"
-#include "hardball/measure/mean_square_displacement.hpp"
-#include "hardball/measure/nearest_neighbor.hpp"
+#include "hardball/measure/collisions.hpp"
+#include "hardball/measure/diffusion.hpp"
+#include "hardball/measure/neighbors.hpp"
 #include "hardball/measure/pressure.hpp"
-#include "hardball/measure/qualification.hpp"
+#include "hardball/measure/profiles.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/random_start.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
@@ -31,11 +26,10 @@
 #include "hardball/measure/settling.hpp"
 #include "hardball/measure/step_attempts.hpp"
 #include "hardball/measure/structure_factor.hpp"
-#include "hardball/measure/temperature.hpp"
 #include "hardball/measure/transport.hpp"
-#include "hardball/measure/velocity_autocorrelation.hpp"
-#include "hardball/measure/velocity_distribution.hpp"
+#include "hardball/measure/velocities.hpp"
 #include "hardball/measure/wall_forces.hpp"
+#include "hardball/statistics/qualification.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -43,51 +37,6 @@ namespace {
 
 // What a sample costs, however few the spheres [ns].
 constexpr double kFixedCost = 1000;
-
-template <class Measure>
-concept NotesContacts = requires(Measure measure, const Contact& contact) {
-  measure.note(contact);
-};
-
-template <class Measure>
-concept NotesChanges = requires(Measure measure, const VelocityChange& change) {
-  measure.note(change);
-};
-
-template <class Measure>
-concept Samples = requires(Measure measure, const Scene& scene) {
-  measure.sample(scene);
-};
-
-/// Follows some spheres from sample to sample.
-template <class Measure>
-concept FollowsSpheres = requires {
-  Measure::kCostPerSphereFollowed;
-};
-
-/// Needs samples at equal times throughout.
-template <class Measure>
-concept SamplesSteadily = requires {
-  Measure::kSamplesSteadily;
-};
-
-/// Is taken where it is named, and not with all others.
-template <class Measure>
-concept IsByName = requires {
-  Measure::kIsByName;
-};
-
-/// Has a meaning only where there are potentials of steps.
-template <class Measure>
-concept NeedsSteps = requires {
-  Measure::kNeedsSteps;
-};
-
-/// Has no meaning where images of the box slide.
-template <class Measure>
-concept NeedsImagesAtRest = requires {
-  Measure::kNeedsImagesAtRest;
-};
 
 template <class M>
 struct Entry {
@@ -140,7 +89,7 @@ SamplingSchedule scattered(const Time& begin, double cost, const Pace& pace) {
 template <class Measure>
 void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double>& every, const Pace& pace) {
   const Time& now = scene.now();
-  if constexpr (FollowsSpheres<Measure>) {
+  if constexpr (requires { Measure::kCostPerSphereFollowed; }) {
     // This many samples in a mean free time resolve the decay of velocities; windows of this length have lags
     // that are long enough for diffusion; and following this many spheres leaves enough windows.
     constexpr double kSamplesPerFreeTime = 4;
@@ -153,13 +102,13 @@ void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double
     entry.schedule = every ? SamplingSchedule::regular(now, *every)
                            : SamplingSchedule::regular(now, irrational_from(finest), kWindow, cost, pace);
     entry.measure.emplace(scene, entry.schedule.interval(), spheres);
-  } else if constexpr (SamplesSteadily<Measure>) {
+  } else if constexpr (requires { Measure::kSamplesSteadily; }) {
     const double interval = every ? *every : irrational_from(pace.free_time);
     entry.schedule = SamplingSchedule::regular(now, interval);
     entry.measure.emplace(scene, interval);
   } else {
     entry.measure.emplace(scene);
-    if constexpr (Samples<Measure>) {
+    if constexpr (requires { entry.measure->sample(scene); }) {
       const double cost = kFixedCost + entry.measure->sample_cost();
       entry.schedule = every ? SamplingSchedule::scattered(now, *every) : scattered(now, cost, pace);
     }
@@ -168,7 +117,7 @@ void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double
 
 template <class Measure>
 void take_sample(Entry<Measure>& entry, const Scene& scene) {
-  if constexpr (Samples<Measure>) entry.measure->sample(scene);
+  if constexpr (requires { entry.measure->sample(scene); }) entry.measure->sample(scene);
   entry.has_sample = true;
 }
 
@@ -204,7 +153,10 @@ Measures::Measures(const MeasureSettings& settings)
     bool is_known = name == "all";
     entries_->for_each([&](auto& entry) {
       using Measure = MeasureOf<decltype(entry)>;
-      if (name == "all" ? IsByName<Measure> : name != Measure::kName) return;
+      constexpr bool kIsByName = requires {
+        Measure::kIsByName;
+      };
+      if (name == "all" ? kIsByName : name != Measure::kName) return;
       entry.is_wanted = true;
       is_known = true;
     });
@@ -241,7 +193,7 @@ void Measures::note(const Contact& contact) {
   if (!has_begun_) return;
   ++contacts_;
   entries_->for_each([&](auto& entry) {
-    if constexpr (NotesContacts<MeasureOf<decltype(entry)>>) {
+    if constexpr (requires { entry.measure->note(contact); }) {
       if (entry.measure) entry.measure->note(contact);
     }
   });
@@ -251,7 +203,7 @@ void Measures::note(const VelocityChange& change) {
   if (!has_begun_) return;
   is_driven_ = true;
   entries_->for_each([&](auto& entry) {
-    if constexpr (NotesChanges<MeasureOf<decltype(entry)>>) {
+    if constexpr (requires { entry.measure->note(change); }) {
       if (entry.measure) entry.measure->note(change);
     }
   });
@@ -272,8 +224,14 @@ void Measures::sample(const World& world, const Time& now, const ForEach& for_ea
     const Pace pace = expected_pace(scene.statistics());
     entries_->for_each([&](auto& entry) {
       using Measure = MeasureOf<decltype(entry)>;
-      if (NeedsSteps<Measure> && !world.has_steps()) return;
-      if (NeedsImagesAtRest<Measure> && world.box().is_sheared()) return;
+      constexpr bool kNeedsSteps = requires {
+        Measure::kNeedsSteps;
+      };
+      constexpr bool kNeedsImagesAtRest = requires {
+        Measure::kNeedsImagesAtRest;
+      };
+      if (kNeedsSteps && !world.has_steps()) return;
+      if (kNeedsImagesAtRest && world.box().is_sheared()) return;
       if (entry.is_wanted) begin(entry, scene, settings_.every, pace);
     });
     entries_->settling.emplace(scene, settings_.is_start_placed);

@@ -4,16 +4,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/measure_settings.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/memory/for_each.hpp"
 #include "hardball/memory/value_pointer.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/world/velocity_change.hpp"
 
 namespace hardball {
@@ -21,6 +22,29 @@ namespace hardball {
 class ArchiveReader;
 class ArchiveWriter;
 class World;
+
+/// The names of all measures, in the order of their results.
+HARDBALL_EXPORT std::span<const std::string_view> measure_names();
+
+/// What to measure in a run, and when.
+struct MeasureSettings {
+  /// Some of measure_names(); "all" means all but those of transport: "diffusion", "viscosity",
+  /// "bulk_viscosity", "thermal_conductivity" and "mutual_diffusion".
+  std::vector<std::string> names = {"all"};
+  /// The time between samples [T]; if absent, each measure has its own, see SamplingSchedule.
+  std::optional<double> every = {};
+  /// When measuring starts [T].
+  double from = 0;
+  /// Whether spheres are placed for the start, on a lattice or at random, rather than taken from an
+  /// equilibrium. Of a fluid, means then begin when the spheres have left their places.
+  bool is_start_placed = false;
+  /// Whether the energy of the start is drawn at random: that of random places in potentials of steps or
+  /// under gravity, or of random spins. Errors then say how far runs with other random numbers are.
+  bool is_energy_random = false;
+  static void persist(auto& archive, auto& self) {
+    archive(self.names, self.every, self.from, self.is_start_placed, self.is_energy_random);
+  }
+};
 
 /// The measures that are switched on for a run.
 ///

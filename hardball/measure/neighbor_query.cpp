@@ -27,6 +27,12 @@ double shortest_period(const Box& box) {
   return shortest;
 }
 
+bool is_same_box(const Box& a, const Box& b) {
+  bool is_same = a.size() == b.size();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) is_same &= a.boundary(axis) == b.boundary(axis);
+  return is_same;
+}
+
 NeighborQuery::Effort NeighborQuery::effort(const World& world, double range) {
   constexpr double kEachSphere = 100;
   constexpr double kEachCenter = 400;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace hardball {
 /// The size of the box along the shortest periodic axis [L]: a sphere has an image of itself that near.
 /// Infinite if no axis is periodic.
 double shortest_period(const Box& box);
+
+/// Whether two boxes have the same edges and boundaries.
+bool is_same_box(const Box& a, const Box& b);
 
 /// All spheres at one time, numbered in the order of ids, and their neighbors: the input of the measures of
 /// structure. Nothing depends on where spheres are stored.
@@ -59,6 +63,26 @@ class NeighborQuery {
       visit(std::size_t{neighbor}, separation, square);
     };
     neighborhood_.for_each_near(centers_[sphere], range - ball_, check);
+  }
+
+  /// Calls visit(neighbor, separation, square) as for_each_neighbor() does, for every neighbor that is no
+  /// farther away than `reach` [1] times the sum of the two radii. Returns the nearest one, or the sphere
+  /// itself if there is none.
+  template <class Visit>
+  std::size_t for_each_bond(std::size_t sphere, double reach, Visit&& visit) const {
+    std::size_t nearest = sphere;
+    double least_square = std::numeric_limits<double>::infinity();
+    const double range = 2 * reach * world_.largest_radius();
+    for_each_neighbor(sphere, range, [&](std::size_t neighbor, const Vec3& separation, double square) {
+      const double farthest = reach * (radius(sphere) + radius(neighbor));
+      if (square > farthest * farthest) return;
+      if (square < least_square) {
+        least_square = square;
+        nearest = neighbor;
+      }
+      visit(neighbor, separation, square);
+    });
+    return nearest;
   }
 
  private:

@@ -7,14 +7,16 @@
 #include <string>
 #include <utility>
 
-#include "hardball/measure/transient.hpp"
 #include "hardball/measure/units.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/transient.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/no_number.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
+
+using Means = std::span<const double>;
 
 struct Component {
   std::size_t first;
@@ -23,6 +25,10 @@ struct Component {
 };
 constexpr std::array<Component, 6> kTensor{
     {{0, 0, "xx"}, {1, 1, "yy"}, {2, 2, "zz"}, {0, 1, "xy"}, {0, 2, "xz"}, {1, 2, "yz"}}};
+
+double trace(Means means, std::size_t begin) {
+  return means[begin] + means[begin + 1] + means[begin + 2];
+}
 
 // A component that there is not in two dimensions.
 bool is_along_z(const Component& component) {
@@ -93,15 +99,12 @@ Measurement Pressure::result(const Scene& scene) const {
   up_to_now.advance(scene.now());
   const BlockAverage& whole = up_to_now.average_;
 
-  const auto trace = [](std::span<const double> means, std::size_t begin) {
-    return means[begin] + means[begin + 1] + means[begin + 2];
-  };
   const double volume = box_.volume();
   const char* const unit_of_pressure = pressure_unit(box_);
-  const FunctionOfMeans compressibility = [&](std::span<const double> means) {
+  const FunctionOfMeans compressibility = [&](Means means) {
     return 1 + trace(means, kCollisional) / trace(means, kKinetic);
   };
-  const auto pressure = [&](std::span<const double> means) {
+  const auto pressure = [&](Means means) {
     return (trace(means, kKinetic) + trace(means, kCollisional)) / (dimensions_ * volume);
   };
   const Transient transient = find_transient(whole, std::array{compressibility}, scene.settled());
@@ -110,13 +113,11 @@ Measurement Pressure::result(const Scene& scene) const {
       is_energy_conserved(motion_, scene.thermal_motion()) ? theory_.compressibility() : kNoNumber;
   const double tolerance = theory_.tolerance() * (expected - 1);
   const double kinetic_pressure = 2 * motion_.energy / (dimensions_ * volume);
-  const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& quantity, double scale) {
-    const Estimate estimate = average.estimate(quantity);
-    found.quantities.push_back(
-        {std::move(name), unit, estimate.value, estimate.error, scale * expected, scale * tolerance});
+  const auto add = [&](std::string name, const char* unit, const Estimate& estimate, double scale) {
+    found.add(std::move(name), unit, estimate, scale * expected, scale * tolerance);
   };
-  add("compressibility", "1", compressibility, 1);
-  add("pressure", unit_of_pressure, pressure, kinetic_pressure);
+  add("compressibility", "1", average.estimate(compressibility), 1);
+  add("pressure", unit_of_pressure, average.estimate(pressure), kinetic_pressure);
   if (theory_.is_ideal()) {
     for (Quantity& of_energy_alone : found.quantities) of_energy_alone.error = 0;
   }
@@ -124,29 +125,24 @@ Measurement Pressure::result(const Scene& scene) const {
   for (std::size_t k = 0; k < kComponents; ++k) {
     if (box_.is_flat() && is_along_z(kTensor[k])) continue;
     const bool is_diagonal = kTensor[k].first == kTensor[k].second;
-    Estimate estimate = average.estimate([&](std::span<const double> means) {
-      return (means[kKinetic + k] + means[kCollisional + k]) / volume;
-    });
+    Estimate estimate = average.estimate(
+        [&](Means means) { return (means[kKinetic + k] + means[kCollisional + k]) / volume; });
     const Estimate collisional =
-        average.estimate([&](std::span<const double> means) { return means[kCollisional + k] / volume; });
+        average.estimate([&](Means means) { return means[kCollisional + k] / volume; });
     const double collisional_error = collisional.value == 0 ? 0 : collisional.error;
     const double elapsed = average.total(BlockAverage::kWeight);
     estimate.error =
         std::fmax(estimate.error, std::hypot(collisional_error, kinetic_error(k, elapsed) / volume));
-    const double scale = is_diagonal ? kinetic_pressure : 0;
-    found.quantities.push_back({std::string("pressure_") + kTensor[k].name, unit_of_pressure, estimate.value,
-                                estimate.error, scale * expected, scale * tolerance});
+    add(std::string("pressure_") + kTensor[k].name, unit_of_pressure, estimate,
+        is_diagonal ? kinetic_pressure : 0);
     if (k == kXy && box_.shear().rate != 0) of_shear = estimate;
   }
   if (of_shear) add_viscosity(found, average, *of_shear, scene.world().interactions().are_elastic());
   add_walls(found, average);
 
-  found.columns = {
-      {"time", "T", ColumnRole::argument, whole.middles()},
-      {"compressibility", "1", ColumnRole::value, whole.history(compressibility)},
-      {"pressure", unit_of_pressure, ColumnRole::value, whole.history(pressure)},
-  };
-  for (double& time : found.columns.front().values) time += begin_.value();
+  found.add_argument("time", "T", whole.middles(begin_.value()));
+  found.add_values("compressibility", "1", whole.history(compressibility));
+  found.add_values("pressure", unit_of_pressure, whole.history(pressure));
   transient.note_in(found);
   return found;
 }
@@ -157,8 +153,8 @@ void Pressure::add_viscosity(Measurement& found, const BlockAverage& average, co
   const double rate = box_.shear().rate;
   const double kinetic = average.mean(kKinetic) + average.mean(kKinetic + 1) + average.mean(kKinetic + 2);
   const double expected = is_elastic ? theory_.viscosity(kinetic / (dimensions_ * spheres_)) : kNoNumber;
-  found.quantities.push_back({"viscosity", viscosity_unit(box_), -pressure_xy.value / rate,
-                              pressure_xy.error / std::fabs(rate), expected, kForComparison});
+  found.add("viscosity", viscosity_unit(box_),
+            {-pressure_xy.value / rate, pressure_xy.error / std::fabs(rate)}, expected, kForComparison);
 }
 
 // The standard deviation of a component of the kinetic part, averaged over some time [M L^2 T^-2]. At one
@@ -177,7 +173,6 @@ double Pressure::kinetic_error(std::size_t component, double elapsed) const {
 // The virial theorem: along an axis with walls, the kinetic and collisional parts equal the force on a face
 // times the length open to the centers, averaged over those that hit it.
 void Pressure::add_walls(Measurement& found, const BlockAverage& average) const {
-  using Means = std::span<const double>;
   const auto area = [&](std::size_t axis) { return box_.face_area(axis); };
   const auto force = [](Means means, std::size_t axis) {
     return (means[kFaceForces + face_of(axis, false)] + means[kFaceForces + face_of(axis, true)]) / 2;
@@ -201,22 +196,17 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
   const double areas = sum_over_walls(area);
   const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& at_walls,
                        const FunctionOfMeans& from_inside) {
-    const Estimate estimate = average.estimate(at_walls);
-    const double expected = average.estimate(from_inside).value;
-    found.quantities.push_back({std::move(name), unit, estimate.value, estimate.error, expected});
-  };
-  const auto kinetic = [](Means means) {
-    return means[kKinetic] + means[kKinetic + 1] + means[kKinetic + 2];
+    found.add(std::move(name), unit, average.estimate(at_walls), average.estimate(from_inside).value);
   };
   add(
       "compressibility_from_walls", "1",
       [&](Means means) {
         const auto virial = [&](std::size_t axis) { return force(means, axis) * open_length(means, axis); };
-        return dimensions_ / axes * sum_over_walls(virial) / kinetic(means);
+        return dimensions_ / axes * sum_over_walls(virial) / trace(means, kKinetic);
       },
       [&](Means means) {
         return dimensions_ / axes * sum_over_walls([&](std::size_t axis) { return inside(means, axis); }) /
-               kinetic(means);
+               trace(means, kKinetic);
       });
   add(
       "wall_pressure", pressure_unit(box_),
@@ -242,10 +232,6 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
     const double of_one = impulse / average.total(kHits) / area(axis) / average.total(BlockAverage::kWeight);
     found.quantities.back().error = std::hypot(found.quantities.back().error, of_one);
   }
-}
-
-bool Pressure::restored() const {
-  return average_.has(kBins);
 }
 
 }  // namespace hardball

@@ -8,10 +8,10 @@
 #include <tuple>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/block_average.hpp"
 #include "hardball/measure/kinetic_tensor.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/velocity_change.hpp"
@@ -42,7 +42,7 @@ class Pressure {
     archive(self.box_, self.dimensions_, self.is_homogeneous_, self.theory_, self.motion_, self.spheres_,
             self.mean_free_time_, self.begin_, self.last_, self.kinetic_, self.average_);
   }
-  bool restored() const;
+  bool restored() const { return average_.has(kBins); }
 
   static constexpr std::size_t kComponents = std::tuple_size_v<SymmetricTensor>;
   static constexpr std::size_t kXy = 3;

@@ -9,10 +9,10 @@
 #include <numbers>
 #include <utility>
 
-#include "hardball/measure/qualification.hpp"
-#include "hardball/measure/same_box.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/measure/transient.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/qualification.hpp"
+#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -183,40 +183,28 @@ Measurement RadialDistribution::result(const Scene& scene) const {
         "Phys. 117 (2002) 5785";
   }
   if (!has_meaning()) return found;
-  const FunctionOfMeans contact_of = [&](std::span<const double> means) {
-    return means[contact_bin(0)] / means[pairs_bin(0)];
-  };
-  const Transient transient =
-      find_transient(average_, std::array{contact_of}, scene.settled(), BlockAverage::Groups::separate);
+  const Transient transient = find_transient(average_, std::array{ratio_of(contact_bin(0), pairs_bin(0))},
+                                             scene.settled(), BlockAverage::Groups::separate);
   const BlockAverage average = transient.left_out_of(average_);
   const bool is_equilibrium = scene.has_equilibrium(motion_);
-  Column distance{"distance", "L", ColumnRole::argument, {}};
-  for (std::size_t bin = 0; bin < bins_; ++bin) {
-    distance.values.push_back(low_ + (static_cast<double>(bin) + 0.5) * bin_width_);
-  }
-  found.columns.push_back(std::move(distance));
+  found.add_argument("distance", "L", bin_middles(low_, bin_width_, bins_));
   for (std::size_t index = 0; index < kinds_.size(); ++index) {
     const Kind& kind = kinds_[index];
     if (has_contact()) {
       Estimate contact = average.ratio(contact_bin(index), pairs_bin(index));
       // From fewer pairs the error of the cubic fit cannot be estimated.
       constexpr double kMinNear = 100;
-      if (average.total(near_bin(index)) < kMinNear) contact.error = std::numeric_limits<double>::quiet_NaN();
-      found.quantities.push_back({"contact_value" + kind.suffix, "1", contact.value, contact.error,
-                                  kind.theory, is_equilibrium ? kind.tolerance : kForComparison});
-      require_not_negative(found.quantities.back());
+      if (average.total(near_bin(index)) < kMinNear) contact.error = kNoNumber;
+      require_not_negative(found.add("contact_value" + kind.suffix, "1", contact, kind.theory,
+                                     is_equilibrium ? kind.tolerance : kForComparison));
     }
-    Column value{"g" + kind.suffix, "1", ColumnRole::value, {}};
-    Column error{value.name + "_error", "1", ColumnRole::error, {}};
-    const std::vector<Estimate> counts = average.histogram(index * bins_, bins_, pairs_bin(index));
+    std::vector<Estimate> densities = average.histogram(index * bins_, bins_, pairs_bin(index));
     for (std::size_t bin = 0; bin < bins_; ++bin) {
       const double begin = low_ + static_cast<double>(bin) * bin_width_;
       const double ideal = ideal_share(begin + bin_width_, kind.reach) - ideal_share(begin, kind.reach);
-      value.values.push_back(counts[bin].value / ideal);
-      error.values.push_back(counts[bin].error / ideal);
+      densities[bin] = densities[bin] / ideal;
     }
-    found.columns.push_back(std::move(value));
-    found.columns.push_back(std::move(error));
+    found.add_estimates("g" + kind.suffix, "1", densities);
   }
   transient.note_in(found);
   return found;

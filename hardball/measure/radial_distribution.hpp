@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "hardball/measure/block_average.hpp"
-#include "hardball/measure/contact_extrapolation.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/contact_extrapolation.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "hardball/measure/scene.hpp"
-#include "hardball/measure/settled.hpp"
+#include "hardball/statistics/qualification.hpp"
 
 namespace hardball {
 

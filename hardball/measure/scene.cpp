@@ -16,6 +16,12 @@ const Found& once(std::recursive_mutex& mutex, std::optional<Found>& found, cons
 
 }  // namespace
 
+double mean_radius(const World& world) {
+  double sum = 0;
+  world.for_each_by_id([&](Slot slot) { sum += world.base_radius(slot); });
+  return sum / static_cast<double>(world.size());
+}
+
 const SpeciesList& Scene::species() const {
   return once(mutex_, species_, [&] { return SpeciesList(world_); });
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hardball/measure/neighbor_query.hpp"
-#include "hardball/measure/settled.hpp"
+#include "hardball/statistics/qualification.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/species_list.hpp"
@@ -16,6 +16,9 @@
 #include "hardball/world/world.hpp"
 
 namespace hardball {
+
+/// The mean of the base radii [L]. Cost: O(n).
+double mean_radius(const World& world);
 
 /// The world at one time, as measures see it: what several of them need is computed once, when first
 /// requested. Several threads may use it at once.

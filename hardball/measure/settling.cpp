@@ -10,7 +10,8 @@
 #include <span>
 
 #include "hardball/measure/bonds.hpp"
-#include "hardball/measure/transient.hpp"
+#include "hardball/measure/reasons.hpp"
+#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -267,10 +268,6 @@ bool Settling::is_drifting(const FunctionOfMeans& temperature, const ThermalMoti
   const double allowed = std::isnan(mean.error) ? std::max(kMuch * mean.value, kErrors * 2 * by_samples)
                                                 : kErrors * 2 * mean.error;
   return std::fabs(last - before) > allowed;
-}
-
-bool Settling::matches(const World& world) const {
-  return species_.matches(world);
 }
 
 bool Settling::restored() const {

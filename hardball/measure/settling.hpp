@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "hardball/measure/block_average.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/block_average.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
@@ -37,7 +37,7 @@ class Settling {
   Settled found(const Scene& scene) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
-  bool matches(const World& world) const;
+  bool matches(const World& world) const { return species_.matches(world); }
 
  private:
   friend class Persistence;

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "hardball/measure/block_average.hpp"
+#include "hardball/statistics/block_average.hpp"
 
 /// Groups of spheres, from whose scatter the error of a mean over all spheres is computed. Spheres are
 /// assigned to groups in turn, so that all groups have equal parts of the species.

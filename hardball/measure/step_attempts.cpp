@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "hardball/measure/energy_gain.hpp"
-#include "hardball/measure/transient.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/transient.hpp"
 #include "hardball/world/step_levels.hpp"
 #include "hardball/world/totals.hpp"
 
@@ -89,8 +89,7 @@ Measurement StepAttempts::result(const Scene& scene) const {
   const FunctionOfMeans energy = [this](Means means) { return (start_ + means[kPotential]) / spheres_; };
   const Transient transient = find_transient(whole, std::array{energy}, scene.settled());
   const BlockAverage average = transient.left_out_of(whole);
-  const Estimate mean = average.estimate(energy);
-  found.quantities.push_back({"potential_energy", kUnitOfEnergy, mean.value, mean.error});
+  found.add("potential_energy", kUnitOfEnergy, average.estimate(energy));
   add_heat_capacity(scene, average, found);
   const StepTable& steps = scene.world().interactions().steps();
   for (std::size_t number = 0; number < first_bins_.size(); ++number) {
@@ -102,9 +101,8 @@ Measurement StepAttempts::result(const Scene& scene) const {
       add_step(scene, average, number, step, suffix, found);
     }
   }
-  found.columns = {{"time", "T", ColumnRole::argument, whole.middles()},
-                   {"potential_energy", kUnitOfEnergy, ColumnRole::value, whole.history(energy)}};
-  for (double& time : found.columns.front().values) time += begin_.value();
+  found.add_argument("time", "T", whole.middles(begin_.value()));
+  found.add_values("potential_energy", kUnitOfEnergy, whole.history(energy));
   transient.note_in(found);
   return found;
 }
@@ -115,22 +113,18 @@ void StepAttempts::add_heat_capacity(const Scene& scene, const BlockAverage& ave
   constexpr double kRounding = 1e-9;
   const double scale = motion_.energy + std::fabs(total_energy_);
   const double energy = hardball::energy(scene.world(), scene.now());
-  Quantity capacity{.name = "heat_capacity", .unit = "1"};
   const bool is_conserved = std::fabs(energy - total_energy_) <= kRounding * scale &&
                             scene.world().interactions().table().restitution() == 1.0 && !is_driven_;
   if (!is_conserved) {
-    capacity.reason = "the total energy is not conserved";
-  } else {
-    const double freedom = motion_.degrees_of_freedom;
-    const Estimate estimate = average.estimate([&](Means means) {
-      const double variance = means[kPotentialSquare] - means[kPotential] * means[kPotential];
-      const double kinetic = means[kKinetic];
-      return freedom / 2 / (1 - freedom / 2 * variance / (kinetic * kinetic)) / spheres_;
-    });
-    capacity.value = estimate.value;
-    capacity.error = estimate.error;
+    found.add("heat_capacity", "1", {}).reason = "the total energy is not conserved";
+    return;
   }
-  found.quantities.push_back(capacity);
+  const double freedom = motion_.degrees_of_freedom;
+  found.add("heat_capacity", "1", average.estimate([&](Means means) {
+    const double variance = means[kPotentialSquare] - means[kPotential] * means[kPotential];
+    const double kinetic = means[kKinetic];
+    return freedom / 2 / (1 - freedom / 2 * variance / (kinetic * kinetic)) / spheres_;
+  }));
 }
 
 void StepAttempts::add_step(const Scene& scene, const BlockAverage& average, std::size_t potential,
@@ -144,25 +138,19 @@ void StepAttempts::add_step(const Scene& scene, const BlockAverage& average, std
   const auto level_inside = static_cast<StepPotential::Level>(rules.steps() - step);
   const bool is_end = rules.is_tether() && step + 1 == rules.steps();
   const auto add_direction = [&](const char* direction, std::size_t come, double rise) {
-    const Estimate rate = average.ratio(bin + come);
-    found.quantities.push_back({std::string("rate_") + direction + suffix, "T^-1", 2 * rate.value / spheres_,
-                                2 * rate.error / spheres_});
+    found.add(std::string("rate_") + direction + suffix, "T^-1", 2 * average.ratio(bin + come) / spheres_);
     if (!(rise > 0) || is_end) return;
     // The share with a normal energy above the rise; less with few degrees of freedom.
     const double x = rise / temperature;
     const double theory = std::exp(-x);
-    Quantity passed{.name = std::string("passed_") + direction + suffix, .unit = "1"};
+    const std::string name = std::string("passed_") + direction + suffix;
     constexpr double kMinPassed = 30;
     if (average.total(bin + come + 1) < kMinPassed) {
-      passed.reason = "fewer than 30 have passed";
+      found.add(name, "1", {}).reason = "fewer than 30 have passed";
     } else {
-      const Estimate fraction = average.ratio(bin + come + 1, bin + come);
-      passed.value = fraction.value;
-      passed.error = fraction.error;
-      passed.theory = theory;
-      passed.tolerance = 2 * (x + x * x) / freedom * theory;
+      found.add(name, "1", average.ratio(bin + come + 1, bin + come), theory,
+                2 * (x + x * x) / freedom * theory);
     }
-    found.quantities.push_back(passed);
   };
   const auto level_outside = static_cast<StepPotential::Level>(level_inside - 1);
   if (!is_end) add_direction("inward", kComeIn, rules.rise(level_outside, false));
@@ -179,12 +167,11 @@ void StepAttempts::add_step(const Scene& scene, const BlockAverage& average, std
   const auto add_density = [&](const char* side, std::size_t come) {
     // The mean speed inwards of the normal component of the relative velocity is sqrt(kT / pi m), half of
     // its magnitude.
-    const Estimate estimate = average.estimate([&](Means means) {
+    found.add(std::string("g_") + side + suffix, "1", average.estimate([&](Means means) {
       const double speed =
           mean_over_normal(freedom) * std::sqrt(2 * means[kKinetic] / freedom / (std::numbers::pi * mass));
       return means[bin + come] / (spheres_ * pairs * speed);
-    });
-    found.quantities.push_back({std::string("g_") + side + suffix, "1", estimate.value, estimate.error});
+    }));
   };
   if (std::isfinite(density) && density > 0 && scene.world().box().is_all(Boundary::periodic)) {
     add_density("outside", kComeIn);

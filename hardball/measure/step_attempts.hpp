@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/block_average.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/velocity_change.hpp"
 

@@ -12,12 +12,14 @@
 #include <utility>
 
 #include "hardball/measure/fluid_structure.hpp"
-#include "hardball/measure/transient.hpp"
+#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {
 
 constexpr std::size_t kShells = 64;
+
+constexpr const char* kNoPeak = "no peak is statistically significant";
 
 // The powers of a phase are stored, this many along the longest axis.
 constexpr double kMaxPeriods = 4096;
@@ -82,8 +84,7 @@ StructureFactor::StructureFactor(const Scene& scene, double longest,
   const World& world = scene.world();
   if (world.size() == 0) return;
   unit_ = 2 * std::numbers::pi * world.box().inverse_period();
-  world.for_each_by_id([&](Slot slot) { diameter_ += 2 * world.base_radius(slot); });
-  diameter_ /= static_cast<double>(world.size());
+  diameter_ = 2 * mean_radius(world);
   constexpr std::size_t kMaxInShell = 6;
   constexpr std::size_t kMaxProducts = 150000;  // of spheres and vectors of a shell
   const std::size_t affordable = std::clamp<std::size_t>(kMaxProducts / world.size(), 1, kMaxInShell);
@@ -198,10 +199,9 @@ Measurement StructureFactor::result(const Scene& scene) const {
   };
   const Transient transient = find_transient(shells_, std::array{mean_of_shells}, scene.settled());
   const BlockAverage shells = transient.left_out_of(shells_);
-  Column wave_number{"wave_number", "L^-1", ColumnRole::argument, {}};
-  Column value{"structure_factor", "1", ColumnRole::value, {}};
-  Column error{"structure_factor_error", "1", ColumnRole::error, {}};
-  Column theory{"structure_factor_theory", "1", ColumnRole::theory, {}};
+  std::vector<double> wave_numbers;
+  std::vector<Estimate> factors;
+  std::vector<double> theory;
   std::size_t k = 0;
   for (std::size_t shell = 0; shell < shell_ends_.size(); ++shell) {
     const auto vectors = static_cast<double>(shell_ends_[shell] - k);
@@ -212,36 +212,27 @@ Measurement StructureFactor::result(const Scene& scene) const {
       mean_length += wave_length / vectors;
       expected += percus_yevick_structure_factor(packing_fraction_, wave_length * diameter_) / vectors;
     }
-    wave_number.values.push_back(mean_length);
-    const Estimate estimate = shells.ratio(shell);
-    value.values.push_back(estimate.value);
-    error.values.push_back(estimate.error);
-    theory.values.push_back(expected);
+    wave_numbers.push_back(mean_length);
+    factors.push_back(shells.ratio(shell));
+    theory.push_back(expected);
   }
   if (shells_.samples() > 0) {
-    const auto peak = static_cast<std::size_t>(std::max_element(value.values.begin(), value.values.end()) -
-                                               value.values.begin());
+    const auto highest = std::ranges::max_element(factors, {}, &Estimate::value);
     // Without structure the largest of many values is one, within errors; and where these are not known, the
     // intensity of a single vector is distributed exponentially.
     constexpr double kErrors = 4;
     constexpr double kIntensity = 10;
-    const bool is_known = !std::isnan(error.values[peak]);
-    const double by_chance = is_known ? 1 + kErrors * error.values[peak] : kIntensity;
-    const bool is_peak = value.values[peak] > by_chance;
-    const auto add = [&](const char* name, const char* unit, double number, double deviation) {
-      found.quantities.push_back({.name = name, .unit = unit});
-      Quantity& quantity = found.quantities.back();
-      if (!is_peak) quantity.reason = "no peak is statistically significant";
-      if (is_peak) quantity.value = number;
-      if (is_peak) quantity.error = deviation;
-    };
-    add("highest_peak", "1", value.values[peak], error.values[peak]);
-    add("highest_peak_wave_number", "L^-1", wave_number.values[peak],
-        std::numeric_limits<double>::quiet_NaN());
-    if (is_peak) found.quantities.back().reason = "it is known to the width of a shell of wave numbers";
+    const double by_chance = std::isnan(highest->error) ? kIntensity : 1 + kErrors * highest->error;
+    const bool is_peak = highest->value > by_chance;
+    const double wave_number = wave_numbers[static_cast<std::size_t>(highest - factors.begin())];
+    Quantity& peak = found.add("highest_peak", "1", is_peak ? *highest : Estimate());
+    if (!is_peak) peak.reason = kNoPeak;
+    found.add("highest_peak_wave_number", "L^-1", is_peak ? Estimate{wave_number} : Estimate()).reason =
+        is_peak ? "it is known to the width of a shell of wave numbers" : kNoPeak;
   }
-  found.columns = {std::move(wave_number), std::move(value), std::move(error)};
-  if (std::isfinite(packing_fraction_)) found.columns.push_back(std::move(theory));
+  found.add_argument("wave_number", "L^-1", std::move(wave_numbers));
+  found.add_estimates("structure_factor", "1", factors);
+  if (std::isfinite(packing_fraction_)) found.add_theory(std::move(theory));
   transient.note_in(found);
   return found;
 }

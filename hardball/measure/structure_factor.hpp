@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "hardball/measure/block_average.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/measurement.hpp"
 
 namespace hardball {
 
@@ -23,6 +23,7 @@ namespace hardball {
 class StructureFactor {
  public:
   static constexpr std::string_view kName = "structure_factor";
+  /// Without a meaning where images of the box slide.
   static constexpr bool kNeedsImagesAtRest = true;
 
   /// Wave vectors are at most `longest` over the mean diameter long, or have 4096 periods along the longest

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "hardball/measure/estimate.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/estimate.hpp"
 #include "hardball/theory/species_list.hpp"
 
 namespace hardball {

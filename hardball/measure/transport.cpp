@@ -7,10 +7,12 @@
 #include <functional>
 #include <utility>
 
-#include "hardball/measure/qualification.hpp"
+#include "hardball/measure/diffusion.hpp"
+#include "hardball/measure/reasons.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
+#include "hardball/numbers/no_number.hpp"
+#include "hardball/statistics/qualification.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {
@@ -186,8 +188,7 @@ constexpr FreeTimes kFreeTimesOfOne{16, 32};
 
 std::string obstacle_of(const Scene& scene) {
   const World& world = scene.world();
-  for (std::size_t axis = 0; axis < world.box().dimensions(); ++axis)
-    if (!world.box().is_periodic(axis)) return "transport is measured where all axes are periodic";
+  if (!world.box().is_all(Boundary::periodic)) return "transport is measured where all axes are periodic";
   if (!world.surfaces().empty() || !world.motion().is_straight())
     return "transport is measured without walls and gravity";
   if (world.has_steps()) return "transport is measured without potentials of steps";
@@ -202,16 +203,13 @@ std::string obstacle_of(const Scene& scene) {
 void add_coefficient(Measurement& found, const MomentLags& lags, const TransportConditions& conditions,
                      const Scene& scene, const FreeTimes& free_times, double scale, Quantity quantity,
                      double enskog) {
-  const std::string unit = quantity.unit;
-  Column lag{"lag", "T", ColumnRole::argument, {}};
-  Column value{quantity.name, unit, ColumnRole::value, {}};
-  Column error{quantity.name + "_error", unit, ColumnRole::error, {}};
+  std::vector<double> times;
+  std::vector<Estimate> slopes;
   for (std::size_t level = 0; level < lags.levels(); ++level) {
     const Estimate slope = lags.slope(level);
     if (std::isnan(slope.value)) continue;
-    lag.values.push_back(lags.lag(level));
-    value.values.push_back(scale * slope.value);
-    error.values.push_back(scale * slope.error);
+    times.push_back(lags.lag(level));
+    slopes.push_back(scale * slope);
   }
   quantity.reason = conditions.objection(scene);
   MomentLags::Plateau plateau;
@@ -223,16 +221,12 @@ void add_coefficient(Measurement& found, const MomentLags& lags, const Transport
     quantity.error = scale * plateau.slope.error;
     require_not_negative(quantity);
   }
-  const std::string name = quantity.name;
-  Quantity relative{name + "_over_enskog",    "1",
-                    quantity.value / enskog,  quantity.error / enskog,
-                    quantity.theory / enskog, quantity.tolerance / enskog,
-                    quantity.reason};
-  found.quantities.push_back(std::move(quantity));
-  if (!std::isnan(enskog)) found.quantities.push_back(std::move(relative));
-  if (plateau.lag > 0) found.quantities.push_back(no_estimate(name + "_lag", "T", plateau.lag, kLagChosen));
+  add_with_enskog(found, quantity, enskog);
+  if (plateau.lag > 0) found.add(quantity.name + "_lag", "T", {plateau.lag}).reason = kLagChosen;
   found.is_logarithmic_in_argument = true;
-  if (!lag.values.empty()) found.columns = {std::move(lag), std::move(value), std::move(error)};
+  if (times.empty()) return;
+  found.add_argument("lag", "T", std::move(times));
+  found.add_estimates(quantity.name, quantity.unit, slopes);
 }
 
 }  // namespace

@@ -11,10 +11,9 @@
 #include <vector>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/collective_moment.hpp"
-#include "hardball/measure/measurement.hpp"
-#include "hardball/measure/moment_lags.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/measurement.hpp"
+#include "hardball/statistics/moment_lags.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
@@ -68,6 +67,7 @@ template <Coefficient kCoefficient>
 class CollectiveTransport {
  public:
   static constexpr std::string_view kName = kCoefficientNames[static_cast<std::size_t>(kCoefficient)];
+  /// Measured where it is named, and not with all others.
   static constexpr bool kIsByName = true;
 
   /// Starts at the time of the scene; increments are over `base` of the mean free time, or up to twice as
@@ -112,6 +112,7 @@ using MutualDiffusion = CollectiveTransport<Coefficient::mutual_diffusion>;
 class SelfDiffusion {
  public:
   static constexpr std::string_view kName = "diffusion";
+  /// Measured where it is named, and not with all others.
   static constexpr bool kIsByName = true;
   /// Samples are a mean free time apart throughout, as every increment is needed.
   static constexpr bool kSamplesSteadily = true;

@@ -10,7 +10,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/energy_gain.hpp"
 #include "hardball/measure/units.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -114,7 +114,6 @@ void WallForces::note(const Contact& contact) {
   bins[kForce] -= dot(impulse, contact.wall_normal);
   bins[kWork] += work;
   bins[kHeat] += gained - work;
-  if (along_.bins() == 0) return;
   const Vec3 tangential = tangential_impulse(contact);
   double* const along = along_.open_bins(kAxes * indices_[contact.second]);
   for (std::size_t axis = 0; axis < kAxes; ++axis) along[axis] += tangential[axis];
@@ -137,39 +136,32 @@ Measurement WallForces::result(const Scene& scene) const {
   const Box& box = scene.world().box();
   for (std::size_t i = 0; i < walls_.size(); ++i) {
     const std::string name = wall_name(scene.world(), walls_[i]);
-    const auto add = [&](const std::string& what, const char* unit, const Estimate& estimate, double per) {
-      found.quantities.push_back({name + "_" + what, unit, estimate.value / per, estimate.error / per});
+    const auto add = [&](const std::string& what, const char* unit, const Estimate& estimate) {
+      found.add(name + "_" + what, unit, estimate);
     };
     const Estimate force = average.ratio(kBins * i + kForce);
     const double area = wall_area(scene.world(), walls_[i]);
-    add("force", "M L T^-2", force, 1);
-    if (std::isfinite(area)) add("pressure", pressure_unit(box), force, area);
-    for (std::size_t axis = 0; axis < kAxes && along.bins() > 0; ++axis) {
+    add("force", "M L T^-2", force);
+    if (std::isfinite(area)) add("pressure", pressure_unit(box), force / area);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const Estimate tangential = along.ratio(kAxes * i + axis);
       if (tangential.value == 0) continue;  // smooth
       const std::string suffix = std::string("_") + kAxisNames[axis];
-      add("tangential_force" + suffix, "M L T^-2", tangential, 1);
-      if (std::isfinite(area)) add("shear_stress" + suffix, pressure_unit(box), tangential, area);
+      add("tangential_force" + suffix, "M L T^-2", tangential);
+      if (std::isfinite(area)) add("shear_stress" + suffix, pressure_unit(box), tangential / area);
     }
     if (walls_[i] < kFaces && !box.has_own_properties(walls_[i])) continue;
-    add("power", "M L^2 T^-3", average.exchange(kBins * i + kWork, stored_bin()), 1);
-    add("heat", "M L^2 T^-3", average.exchange(kBins * i + kHeat, stored_bin()), 1);
+    add("power", "M L^2 T^-3", average.exchange(kBins * i + kWork, stored_bin()));
+    add("heat", "M L^2 T^-3", average.exchange(kBins * i + kHeat, stored_bin()));
   }
   return found;
 }
 
-bool WallForces::restored() {
-  // Earlier versions had no bin of the energy stored.
-  if (!walls_.empty() && average_.has(kBins * walls_.size())) average_.add_bin();
+bool WallForces::restored() const {
   const auto is_index = [this](std::size_t index) { return walls_.empty() || index < walls_.size(); };
   const auto is_wall = [this](std::uint32_t wall) { return wall < indices_.size(); };
-  return (average_.has(kBins * walls_.size() + 1) || walls_.empty()) &&
-         (along_.has(kAxes * walls_.size()) || along_.has(0)) && std::ranges::all_of(indices_, is_index) &&
-         std::ranges::all_of(walls_, is_wall);
-}
-
-bool WallForces::matches(const World& world) const {
-  return indices_.size() == kFaces + world.surfaces().size();
+  return average_.has(kBins * walls_.size() + 1) && along_.has(kAxes * walls_.size()) &&
+         std::ranges::all_of(indices_, is_index) && std::ranges::all_of(walls_, is_wall);
 }
 
 }  // namespace hardball

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/block_average.hpp"
-#include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/statistics/block_average.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/world/velocity_change.hpp"
 
 namespace hardball {
@@ -40,7 +40,7 @@ class WallForces {
   Measurement result(const Scene& scene) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
-  bool matches(const World& world) const;
+  bool matches(const World& world) const { return indices_.size() == kFaces + world.surfaces().size(); }
 
  private:
   friend class Persistence;
@@ -48,7 +48,7 @@ class WallForces {
   static void persist(auto& archive, auto& self) {
     archive(self.walls_, self.indices_, self.begin_, self.last_, self.average_, self.along_);
   }
-  bool restored();
+  bool restored() const;
 
   // Bins of each wall.
   static constexpr std::size_t kForce = 0;  // along the normal [M L T^-2]
@@ -66,7 +66,7 @@ class WallForces {
   Time begin_;
   Time last_;
   BlockAverage average_;
-  BlockAverage along_{0};  // tangential forces [M L T^-2], by wall and axis; none if a former version began
+  BlockAverage along_;  // tangential forces [M L T^-2], by wall and axis
 };
 
 }  // namespace hardball

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "hardball/errors/export.hpp"
-#include "hardball/packing/contact_key.hpp"
 #include "hardball/packing/packed_spheres.hpp"
 
 namespace hardball {

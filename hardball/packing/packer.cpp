@@ -217,10 +217,13 @@ void Packer::halve_speeds() {
   const double speed = thermal_speed(simulation_.world(), simulation_.now());
   while (factor * speed >= 2 * speed_) factor /= 2;
   if (factor == 1) return;
+  change_velocities([&](SphereId id) { return factor * simulation_.velocity(id); });
+}
+
+void Packer::change_velocities(const Function<Vec3(SphereId)>& velocity_of) {
   std::vector<VelocityEdit> edits;
   edits.reserve(simulation_.size());
-  for (SphereId id = 0; id < simulation_.size(); ++id)
-    edits.push_back({id, factor * simulation_.velocity(id)});
+  for (SphereId id = 0; id < simulation_.size(); ++id) edits.push_back({id, velocity_of(id)});
   simulation_.change_velocities(edits);
 }
 
@@ -240,10 +243,7 @@ void Packer::renew_velocities() {
   simulation_.stop_growing();
   Random random(plan_.seed + collisions());
   const std::vector<Vec3> velocities = thermal_velocities(simulation_.size(), plan_.container, random);
-  std::vector<VelocityEdit> edits;
-  edits.reserve(simulation_.size());
-  for (SphereId id = 0; id < simulation_.size(); ++id) edits.push_back({id, speed_ * velocities[id]});
-  simulation_.change_velocities(edits);
+  change_velocities([&](SphereId id) { return speed_ * velocities[id]; });
 }
 
 void Packer::relax() {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "hardball/errors/export.hpp"
-#include "hardball/packing/contact_key.hpp"
+#include "hardball/memory/function.hpp"
 #include "hardball/packing/packing_plan.hpp"
 #include "hardball/simulation/simulation.hpp"
 
@@ -114,6 +114,7 @@ class HARDBALL_EXPORT Packer {
   void grow(double rate, double fraction);
   void begin_growing();
   void halve_speeds();
+  void change_velocities(const Function<Vec3(SphereId)>& velocity_of);
   void be_patient();
   void relax();
   void step();

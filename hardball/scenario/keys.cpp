@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/measure/measure_settings.hpp"
+#include "hardball/measure/measures.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

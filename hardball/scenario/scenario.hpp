@@ -16,7 +16,7 @@
 #include "hardball/growth/growth_schedule.hpp"
 #include "hardball/interaction/bounce.hpp"
 #include "hardball/interaction/step_potential.hpp"
-#include "hardball/measure/measure_settings.hpp"
+#include "hardball/measure/measures.hpp"
 #include "hardball/placement/radii.hpp"
 #include "hardball/thermostats/thermostat.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
+#include "hardball/numbers/no_number.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/no_number.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
@@ -49,28 +49,6 @@ PassingPairs passing_in(const World& world) {
 }
 
 }  // namespace
-
-double fluid_compressibility(double packing_fraction) {
-  struct Term {
-    int power;
-    double coefficient;
-  };
-  constexpr std::array<Term, 11> kTerms{{{1, 4},
-                                         {2, 6},
-                                         {3, 2.3647684},
-                                         {4, -0.8698551},
-                                         {5, 1.1062803},
-                                         {6, -1.1014221},
-                                         {7, 0.66605866},
-                                         {8, -0.03633431},
-                                         {10, -0.20965164},
-                                         {14, 0.10555569},
-                                         {22, -0.0087238}}};
-  const double x = packing_fraction / (1 - packing_fraction);
-  double z = 1;
-  for (const Term& term : kTerms) z += term.coefficient * std::pow(x, term.power);
-  return z;
-}
 
 FluidTheory::FluidTheory(const World& world, const SpeciesList& species)
     : species_(species),

@@ -10,10 +10,6 @@
 
 namespace hardball {
 
-/// Z = P V / N k T of the fluid of equal spheres [1], within 4e-5 of simulations up to freezing, at a packing
-/// fraction of 0.494. Source: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) 2335.
-HARDBALL_EXPORT double fluid_compressibility(double packing_fraction);
-
 /// Theory of the hard-sphere fluid in equilibrium in a periodic box, with a given number of spheres, fixed
 /// energy and no total momentum: all that measured numbers are compared with. Where it does not apply, as
 /// with walls, kinematic spheres, spheres some of which pass through each other, or beyond freezing,

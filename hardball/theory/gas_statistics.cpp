@@ -59,10 +59,7 @@ void GasSums::add(const GasSums& other) {
 
 // Surfaces and gravity may keep spheres together in a part of the box.
 bool fills_box(const World& world) {
-  bool has_open_axes = false;
-  for (std::size_t axis = 0; axis < world.box().dimensions(); ++axis)
-    has_open_axes |= world.box().is_open(axis);
-  return !has_open_axes && world.surfaces().empty() && world.motion().is_straight();
+  return !world.box().is_any(Boundary::open) && world.surfaces().empty() && world.motion().is_straight();
 }
 
 GasStatistics gas_statistics(const GasSums& sums, const World& world) {

@@ -3,8 +3,8 @@
 #include "hardball/theory/kinetic_theory.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 
@@ -31,31 +31,49 @@ double structure_factor_at_zero(double packing, bool is_flat) {
   return free * free * free * free / (odd * odd + packing * packing * packing * (packing - 4));
 }
 
-}  // namespace
-
-double fluid_compressibility_of_discs(double packing_fraction) {
-  struct Term {
-    int power;
-    double coefficient;
-  };
-  constexpr std::array<Term, 14> kTerms{{{1, 2},
-                                         {2, 1.12801775},
-                                         {3, 0.00181895291},
-                                         {4, -0.0526134737},
-                                         {5, 0.0504960168},
-                                         {6, -0.0325537792},
-                                         {7, 0.0134578632},
-                                         {8, 0.00140888182},
-                                         {9, -0.00834273601},
-                                         {10, 0.00694127367},
-                                         {11, -0.00262254723},
-                                         {12, 0.000355746352},
-                                         {22, -5.24672938e-9},
-                                         {57, 5.88054639e-23}}};
+// One plus a sum of powers of the packing fraction over the fraction of free space.
+struct Term {
+  int power;
+  double coefficient;
+};
+double series(double packing_fraction, std::initializer_list<Term> terms) {
   const double x = packing_fraction / (1 - packing_fraction);
   double z = 1;
-  for (const Term& term : kTerms) z += term.coefficient * std::pow(x, term.power);
+  for (const Term& term : terms) z += term.coefficient * std::pow(x, term.power);
   return z;
+}
+
+}  // namespace
+
+double fluid_compressibility(double packing_fraction) {
+  return series(packing_fraction, {{1, 4},
+                                   {2, 6},
+                                   {3, 2.3647684},
+                                   {4, -0.8698551},
+                                   {5, 1.1062803},
+                                   {6, -1.1014221},
+                                   {7, 0.66605866},
+                                   {8, -0.03633431},
+                                   {10, -0.20965164},
+                                   {14, 0.10555569},
+                                   {22, -0.0087238}});
+}
+
+double fluid_compressibility_of_discs(double packing_fraction) {
+  return series(packing_fraction, {{1, 2},
+                                   {2, 1.12801775},
+                                   {3, 0.00181895291},
+                                   {4, -0.0526134737},
+                                   {5, 0.0504960168},
+                                   {6, -0.0325537792},
+                                   {7, 0.0134578632},
+                                   {8, 0.00140888182},
+                                   {9, -0.00834273601},
+                                   {10, 0.00694127367},
+                                   {11, -0.00262254723},
+                                   {12, 0.000355746352},
+                                   {22, -5.24672938e-9},
+                                   {57, 5.88054639e-23}});
 }
 
 double contact_value(const GasStatistics& statistics) {

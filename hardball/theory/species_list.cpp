@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/theory/no_number.hpp"
+#include "hardball/numbers/no_number.hpp"
 
 namespace hardball {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "hardball/geometry/range.hpp"
 #include "hardball/numbers/event_random.hpp"
-#include "hardball/thermostats/resolution.hpp"
+#include "hardball/thermostats/intervals.hpp"
 #include "hardball/world/images.hpp"
 
 namespace hardball {

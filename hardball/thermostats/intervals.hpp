@@ -8,6 +8,9 @@
 
 namespace hardball {
 
+/// Error: at `time` [T] doubles do not resolve intervals of this length [T].
+void refuse_unresolved(double interval, double time);
+
 /// Times at equal intervals: start + k * every, for k = 1, 2, ...
 class HARDBALL_EXPORT Intervals {
  public:

@@ -12,7 +12,6 @@
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/tuning/cell_axes.hpp"
-#include "hardball/tuning/row_surplus.hpp"
 
 namespace hardball {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "documentation.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/measure/measure_settings.hpp"
-#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/measures.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/call_text.hpp"

@@ -15,7 +15,7 @@
 
 #include "cli/program.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/measure/measure_settings.hpp"
+#include "hardball/measure/measures.hpp"
 
 namespace hardball::measures_test {
 namespace {

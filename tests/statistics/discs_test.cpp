@@ -9,10 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "hardball/measure/bond_order.hpp"
-#include "hardball/measure/density_profiles.hpp"
 #include "hardball/measure/measures.hpp"
-#include "hardball/measure/nearest_neighbor.hpp"
+#include "hardball/measure/neighbors.hpp"
+#include "hardball/measure/profiles.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/discs.hpp"

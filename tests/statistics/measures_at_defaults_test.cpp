@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "hardball/measure/agreement.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/statistics/agreement.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"

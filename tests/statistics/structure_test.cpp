@@ -9,9 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "hardball/measure/bond_order.hpp"
-#include "hardball/measure/density_profiles.hpp"
-#include "hardball/measure/nearest_neighbor.hpp"
+#include "hardball/measure/neighbors.hpp"
+#include "hardball/measure/profiles.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/structure_factor.hpp"
 #include "hardball/simulation/simulation.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hardball/measure/measurement.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball::support {

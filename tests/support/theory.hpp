@@ -8,7 +8,7 @@
 #include <numbers>
 #include <span>
 
-#include "hardball/theory/fluid_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 
 /// What is known about hard spheres; diameter, mass and kT are one unless said otherwise.
 namespace hardball::support {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/collision_rate.hpp"
+#include "hardball/measure/collisions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "hardball/measure/impact_speeds.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/measure/pressure.hpp"
-#include "hardball/measure/temperature.hpp"
-#include "hardball/measure/velocity_distribution.hpp"
+#include "hardball/measure/velocities.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"

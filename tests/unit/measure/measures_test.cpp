@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/measure/csv.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/statistics/measurement.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 #include "support/measurement.hpp"
@@ -227,34 +227,6 @@ TEST(Measures, SampleSpheresAtRestOccasionally) {
   EXPECT_EQ(simulation.time(), 1e9);
   // Eight samples for each doubling of the interval, 30 of them.
   EXPECT_LE(column(measures.results(simulation.world(), simulation.now())[2], "time").values.size(), 64U);
-}
-
-TEST(Csv, NamesColumnsWithTheirUnitsAndRoundTrips) {
-  const double third = 1.0 / 3;
-  const Measurement measurement{
-      .name = "things",
-      .title = "Things",
-      .formula = "",
-      .source = "",
-      .quantities = {{"size", "L", third, 0.5, std::nan("")}},
-      .columns = {{"radius", "L", ColumnRole::argument, {1, 2}},
-                  {"count", "1", ColumnRole::value, {third, -std::nan("")}}},
-  };
-  EXPECT_EQ(columns_csv(measurement), "radius [L],count [1]\n1,0.3333333333333333\n2,nan\n");
-  EXPECT_EQ(quantities_csv(std::vector{measurement}),
-            "measure,name,value,error,theory,unit,transient [T],tolerance,reason\n"
-            "things,size,0.3333333333333333,0.5,nan,L,0,0,\n");
-  Measurement changing = measurement;
-  changing.duration = 8;
-  changing.transient = 1.5;
-  EXPECT_NE(quantities_csv(std::vector{changing}).find(",L,1.5,0,\n"), std::string::npos);
-  changing.is_transient_over = false;
-  EXPECT_NE(quantities_csv(std::vector{changing}).find(",L,8,0,\n"), std::string::npos);
-  Measurement without = measurement;
-  without.quantities = {{.name = "size", .unit = "L", .tolerance = 0.25, .reason = "the run is too short"}};
-  EXPECT_NE(quantities_csv(std::vector{without}).find("size,nan,nan,nan,L,0,0.25,the run is too short\n"),
-            std::string::npos);
-  EXPECT_EQ(columns_csv({.name = "none", .title = "", .formula = "", .source = ""}), "");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include "hardball/measure/measures.hpp"
 #include "hardball/measure/random_start.hpp"
+#include "hardball/measure/reasons.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/world/totals.hpp"

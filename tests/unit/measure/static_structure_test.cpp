@@ -12,15 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "hardball/measure/bond_order.hpp"
-#include "hardball/measure/contact_extrapolation.hpp"
-#include "hardball/measure/coordination.hpp"
-#include "hardball/measure/density_profiles.hpp"
 #include "hardball/measure/fluid_structure.hpp"
 #include "hardball/measure/measures.hpp"
-#include "hardball/measure/nearest_neighbor.hpp"
+#include "hardball/measure/neighbors.hpp"
+#include "hardball/measure/profiles.hpp"
 #include "hardball/measure/structure_factor.hpp"
 #include "hardball/measure/wall_forces.hpp"
+#include "hardball/statistics/contact_extrapolation.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/world/totals.hpp"

@@ -10,10 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "hardball/measure/bond_order.hpp"
-#include "hardball/measure/coordination.hpp"
-#include "hardball/measure/density_profiles.hpp"
-#include "hardball/measure/nearest_neighbor.hpp"
+#include "hardball/measure/neighbors.hpp"
+#include "hardball/measure/profiles.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/structure_factor.hpp"
 #include "hardball/placement/placement.hpp"

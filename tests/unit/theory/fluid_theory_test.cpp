@@ -13,9 +13,9 @@
 
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/tuning/cell_axes.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
-#include "hardball/tuning/row_surplus.hpp"
 #include "hardball/tuning/size_classes.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"

@@ -13,8 +13,8 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/tuning/cell_axes.hpp"
 #include "hardball/tuning/cell_edge.hpp"
-#include "hardball/tuning/row_surplus.hpp"
 #include "hardball/tuning/size_classes.hpp"
 #include "unit/theory/some_gas.hpp"
 
