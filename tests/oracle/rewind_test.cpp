@@ -13,6 +13,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/run/make_engine.hpp"
+#include "hardball/world/images.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 #include "support/random_world.hpp"
@@ -181,7 +182,7 @@ std::string difference(const World& a, const World& b) {
     const bool same = a.path(slot) == b.path(other) && a.base_radius(slot) == b.base_radius(other) &&
                       a.mass(slot) == b.mass(other) && a.spin(slot) == b.spin(other) &&
                       a.species(slot) == b.species(other) &&
-                      a.image(slot, a.path(slot).time) == b.image(other, a.path(slot).time);
+                      image_of(a, slot, a.path(slot).time) == image_of(b, other, a.path(slot).time);
     if (!same) found = "sphere " + to_text(id);
   });
   return found;
