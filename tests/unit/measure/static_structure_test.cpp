@@ -34,6 +34,17 @@ namespace {
 
 using namespace support;
 
+// The result of a measure of so many ideal gases of the same spheres.
+template <class Measure, class... Settings>
+Measurement of_ideal_gases(const Box& box, const std::vector<double>& radii, std::uint64_t samples,
+                           const Settings&... settings) {
+  const World first = make_ideal_gas(box, radii, 0);
+  Measure measure({first, Time(0)}, settings...);
+  for (std::uint64_t sample = 0; sample < samples; ++sample)
+    measure.sample({make_ideal_gas(box, radii, sample), Time(0)});
+  return measure.result({first, Time(0)});
+}
+
 // The number of neighbors closer than a distance, from g(r) in a periodic box.
 double neighbors_within(const Measurement& found, const World& world, double distance) {
   const double density = static_cast<double>(world.size()) / world.box().volume();
@@ -88,11 +99,7 @@ TEST_P(IdealGas, IsUniformInEveryBox) {
   const auto& [name, box, spheres, radius, range, bin_width] = GetParam();
   constexpr std::uint64_t kSamples = 24;
   const std::vector<double> radii(spheres, radius);
-  const World first = make_ideal_gas(box, radii, 0);
-  RadialDistribution measure({first, Time(0)}, range, bin_width);
-  for (std::uint64_t sample = 0; sample < kSamples; ++sample)
-    measure.sample({make_ideal_gas(box, radii, sample), Time(0)});
-  const Measurement found = measure.result({first, Time(0)});
+  const Measurement found = of_ideal_gases<RadialDistribution>(box, radii, kSamples, range, bin_width);
   const std::vector<double>& g = values(found, "g");
   const std::vector<double>& error = values(found, "g_error");
   const auto bins = static_cast<double>(g.size());
@@ -168,12 +175,7 @@ TEST(RadialDistribution, DistinguishesPairsOfSpecies) {
   const Box box = Box::periodic({10, 10, 10});
   std::vector<double> radii(300, 0.2);
   radii.resize(900, 0.4);
-  const World first = make_ideal_gas(box, radii, 0);
-  RadialDistribution measure({first, Time(0)});
-  for (std::uint64_t sample = 0; sample < 20; ++sample) {
-    measure.sample({make_ideal_gas(box, radii, sample), Time(0)});
-  }
-  const Measurement found = measure.result({first, Time(0)});
+  const Measurement found = of_ideal_gases<RadialDistribution>(box, radii, 20);
   for (const std::string pair : {"_1_1", "_1_2", "_2_2"}) {
     const std::vector<double>& g = values(found, "g" + pair);
     const std::vector<double>& error = values(found, "g" + pair + "_error");
@@ -217,10 +219,8 @@ TEST(RadialDistribution, HasNoMeaningWithoutADensity) {
     World world(box);
     world.add({.position = {2, 2, 2}});
     world.add({.position = {6, 6, 6}});
-    RadialDistribution measure({world, Time(0)});
-    measure.sample({world, Time(0)});
-    EXPECT_TRUE(measure.result({world, Time(0)}).columns.empty());
-    EXPECT_TRUE(measure.result({world, Time(0)}).quantities.empty());
+    EXPECT_TRUE(measured<RadialDistribution>(world).columns.empty());
+    EXPECT_TRUE(measured<RadialDistribution>(world).quantities.empty());
   }
 }
 
@@ -302,13 +302,8 @@ TEST(StructureFactor, OfACrystalHasBraggPeaksAndNothingElse) {
 TEST(StructureFactor, OfAnIdealGasIsOne) {
   const Box box = Box::periodic({9, 11, 13});
   const std::vector<double> radii(500, 0.5);
-  const World first = make_ideal_gas(box, radii, 0);
-  StructureFactor measure({first, Time(0)});
   constexpr std::uint64_t kSamples = 40;
-  for (std::uint64_t sample = 0; sample < kSamples; ++sample) {
-    measure.sample({make_ideal_gas(box, radii, sample), Time(0)});
-  }
-  const Measurement found = measure.result({first, Time(0)});
+  const Measurement found = of_ideal_gases<StructureFactor>(box, radii, kSamples);
   const std::vector<double>& value = values(found, "structure_factor");
   const std::vector<double>& error = values(found, "structure_factor_error");
   double mean = 0;
@@ -338,9 +333,7 @@ TEST(StructureFactor, UsesPeriodicAxesOnly) {
 
   World walls(Box::walls({20, 20, 20}));
   walls.add({.position = {5, 5, 5}});
-  StructureFactor nothing({walls, Time(0)});
-  nothing.sample({walls, Time(0)});
-  EXPECT_TRUE(nothing.result({walls, Time(0)}).columns.empty());
+  EXPECT_TRUE(measured<StructureFactor>(walls).columns.empty());
 }
 
 // The phases stored along an axis are bounded, whatever the ratio of the box to the spheres.
@@ -560,12 +553,7 @@ TEST(DensityProfiles, KnowTheDensityAtTheWalls) {
   const Box box({Boundary::wall, Boundary::periodic, Boundary::wall}, {7, 9, 8});
   std::vector<double> radii(300, 0.25);
   radii.resize(600, 0.5);
-  const World first = make_ideal_gas(box, radii, 0);
-  DensityProfiles measure({first, Time(0)});
-  for (std::uint64_t sample = 0; sample < 640; ++sample) {
-    measure.sample({make_ideal_gas(box, radii, sample), Time(0)});
-  }
-  const Measurement found = measure.result({first, Time(0)});
+  const Measurement found = of_ideal_gases<DensityProfiles>(box, radii, 640);
   const Quantity& density = quantity(found, "density_at_walls");
   // Along x, the free lengths of centers are 6.5 and 6; along z, 7.5 and 7. Walls are weighted by area.
   const double across_x = 300 / (9 * 8.0) * (1 / 6.5 + 1 / 6.0);
