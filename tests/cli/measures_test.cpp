@@ -14,8 +14,12 @@
 #include <vector>
 
 #include "cli/program.hpp"
+<<<<<<< HEAD
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
+=======
+#include "hardball/measure/measure_settings.hpp"
+>>>>>>> house-tests
 
 namespace hardball::measures_test {
 namespace {
@@ -144,13 +148,6 @@ class HonestRun : public testing::Test {
   std::map<std::string, Row> rows_;
   std::string verdict_;
 };
-
-std::string gas_in_cube(int count, double edge, const std::string& placement = "random") {
-  const std::string size = to_text(edge);
-  return "[box]\nsize = [" + size + ", " + size + ", " + size +
-         "]\nboundary = [\"periodic\", \"periodic\", \"periodic\"]\n[[spheres]]\ncount = " +
-         std::to_string(count) + "\nradius = 0.5\nplacement = \"" + placement + "\"\ntemperature = 1.0\n";
-}
 
 TEST_F(HonestRun, SeesAGasThatIsRescaledAtAllTimes) {
   run(gas_in_cube(500, 13.782337338022653) +

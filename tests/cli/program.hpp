@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "hardball/errors/error.hpp"
 #include "support/scratch_folder.hpp"
 
 /// The real program, started as by a user.
@@ -133,5 +134,13 @@ mean_speed = 1.0
 until = 5.0
 seed = 1
 )";
+
+/// A periodic gas with diameter and mass one, at kT = 1.
+inline std::string gas_in_cube(int count, double edge, const std::string& placement = "random") {
+  const std::string size = to_text(edge);
+  return "[box]\nsize = [" + size + ", " + size + ", " + size +
+         "]\nboundary = [\"periodic\", \"periodic\", \"periodic\"]\n[[spheres]]\ncount = " +
+         std::to_string(count) + "\nradius = 0.5\nplacement = \"" + placement + "\"\ntemperature = 1.0\n";
+}
 
 }  // namespace hardball::support

@@ -18,10 +18,7 @@ using namespace support;
 using ProgressElsewhere = ProgramTest;
 
 std::string gas_of(int spheres) {
-  return "[box]\nsize = [120, 120, 120]\nboundary = [\"periodic\", \"periodic\", "
-         "\"periodic\"]\n[[spheres]]\ncount = " +
-         std::to_string(spheres) +
-         "\nradius = 0.5\nplacement = \"random\"\ntemperature = 1.0\n[run]\nuntil = 1e-3\n";
+  return gas_in_cube(spheres, 120) + "[run]\nuntil = 1e-3\n";
 }
 
 // What a program wrote to a terminal as its standard error, and how it ended.

@@ -20,18 +20,8 @@ namespace {
 using nlohmann::json;
 using namespace support;
 
-const std::string kPeriodicGas = R"(# A gas of <300> spheres & more.
-[box]
-size = [10.0, 10.0, 10.0]
-boundary = ["periodic", "periodic", "periodic"]
-[[spheres]]
-count = 300
-radius = 0.5
-placement = "random"
-temperature = 1.0
-[run]
-until = 5.0
-)";
+const std::string kPeriodicGas =
+    "# A gas of <300> spheres & more.\n" + gas_in_cube(300, 10) + "[run]\nuntil = 5.0\n";
 
 class ReportFile : public ProgramTest {
  protected:

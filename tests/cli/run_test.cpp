@@ -22,17 +22,7 @@ namespace {
 using nlohmann::json;
 using namespace support;
 
-const std::string kPeriodicGas = R"([box]
-size = [10.0, 10.0, 10.0]
-boundary = ["periodic", "periodic", "periodic"]
-[[spheres]]
-count = 300
-radius = 0.5
-placement = "random"
-temperature = 1.0
-[run]
-until = 5.0
-)";
+const std::string kPeriodicGas = gas_in_cube(300, 10) + "[run]\nuntil = 5.0\n";
 
 const std::string kOpenGas = R"([box]
 boundary = ["open", "open", "open"]

@@ -18,17 +18,7 @@ namespace {
 using namespace support;
 
 // So few spheres that no candidate is collected twice (broadphase/candidates.hpp), however large the cells.
-const std::string kGas = R"([box]
-size = [13.68, 13.68, 13.68]
-boundary = ["periodic", "periodic", "periodic"]
-[[spheres]]
-count = 250
-radius = 0.5
-placement = "random"
-temperature = 1.0
-[run]
-until = 50.0
-)";
+const std::string kGas = gas_in_cube(250, 13.68) + "[run]\nuntil = 50.0\n";
 
 // Costs so high that the rounds, whose length follows from the expected cost, are short.
 const std::string kHighCosts = "contact=140000,enter=55000,cell=19000,prediction=5500";

@@ -3,7 +3,6 @@
 
 // Prints the hash of the event log of several worlds, one "name hash" a line. Every compiler, optimization
 // level and machine must print the same.
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>

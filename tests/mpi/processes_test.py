@@ -100,139 +100,106 @@ def run(arguments, processes=None, succeeds=True):
     return done
 
 
-class Processes(unittest.TestCase):
+class FolderTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
+    def expect_one_message(self, done, *parts):
+        """However many processes there are."""
+        self.assertNotEqual(done.returncode, 0)
+        messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
+        self.assertEqual(len(messages), 1, done.stderr)
+        for part in parts:
+            self.assertIn(part, messages[0])
+
+
+class Processes(FolderTest):
     def scenario(self, text):
         path = self.folder / "scenario.toml"
         path.write_text(text)
         return str(path)
 
     def run_alone(self, scenario, *options):
-        run(["run", scenario, "--out", str(self.folder / "alone"), "--quiet", *options])
+        run(["run", scenario, "--out", str(self.folder / "alone"), "--quiet", "--overwrite", *options])
         return self.folder / "alone"
 
+    def run_in(self, scenario, way):
+        """Runs and resumes a scenario: (number of processes, options) for each stretch; None is one without mpirun."""
+        directory = self.folder / "several"
+        start = ["run", scenario, "--out", str(directory), "--overwrite", "--quiet"]
+        for processes, *options in way:
+            run([*start, *options], processes)
+            start = ["resume", str(directory)]
+        return directory
+
     def expect_same(self, directory, expected):
-        for name in ("events.npy", "trajectory.xyz", "trajectory.lammpstrj", "trajectory.xyz.zst"):
-            if (expected / name).exists():
-                self.assertEqual((directory / name).read_bytes(), (expected / name).read_bytes(), name)
+        self.assertEqual(*(sorted(path.name for path in each.glob("measures/*")) for each in (directory, expected)))
+        for path in expected.rglob("*"):
+            if path.suffix in (".npy", ".xyz", ".lammpstrj", ".zst", ".gsd", ".vtp", ".pvd", ".hbr", ".csv"):
+                name = path.relative_to(expected)
+                self.assertEqual((directory / name).read_bytes(), path.read_bytes(), name)
+        self.assertTrue((directory / "report.html").exists())
         own, alone = (json.loads((each / "summary.json").read_text()) for each in (directory, expected))
         for key in ("spheres", "time", "event_log_hash", "energy", "momentum", "packing_fraction", "walls",
-                    "compressibility", "wall_pressure", "max_overlap", "species", "thermostat"):
+                    "compressibility", "wall_pressure", "max_overlap", "species", "thermostat", "at_rest_since"):
             self.assertEqual(own.get(key), alone.get(key), key)
         for key in ("collision", "wall"):
             self.assertEqual(own["events"][key], alone["events"][key])
 
+    def expect_as_alone(self, text, *ways):
+        """The files and the summary are those of one process, whichever way the scenario is run; returns them."""
+        scenario = self.scenario(text)
+        expected = self.run_alone(scenario)
+        for way in ways:
+            with self.subTest(way=way):
+                self.expect_same(self.run_in(scenario, way), expected)
+        return expected
+
     def test_files_and_hash_are_those_of_one_process(self):
         for text in (GAS, MIXTURE):
-            scenario = self.scenario(text)
-            expected = self.run_alone(scenario, "--overwrite")
-            for processes, threads in ((2, 1), (3, 2), (5, 1)):
-                directory = self.folder / f"{processes} processes"
-                run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet", "--threads",
-                     str(threads)], processes)
-                self.expect_same(directory, expected)
+            self.expect_as_alone(text, [(2, "--threads", "1")], [(3, "--threads", "2")], [(5, "--threads", "1")])
 
     def test_a_heap_comes_to_rest_as_in_one_process(self):
-        scenario = self.scenario(HEAP)
-        expected = self.run_alone(scenario, "--overwrite")
-        rest = json.loads((expected / "summary.json").read_text())["at_rest_since"]
-        self.assertLess(rest, 30)
-        run(["run", scenario, "--out", str(self.folder / "heap"), "--overwrite", "--quiet"], 3)
-        self.expect_same(self.folder / "heap", expected)
-        self.assertEqual(json.loads((self.folder / "heap" / "summary.json").read_text())["at_rest_since"], rest)
-
-    def expect_same_measures(self, directory, expected):
-        names = sorted(path.name for path in (expected / "measures").iterdir())
-        self.assertGreater(len(names), 1)
-        self.assertEqual(sorted(path.name for path in (directory / "measures").iterdir()), names)
-        for name in names:
-            self.assertEqual((directory / "measures" / name).read_bytes(),
-                             (expected / "measures" / name).read_bytes(), name)
-        self.assertTrue((directory / "report.html").exists())
+        expected = self.expect_as_alone(HEAP, [(3,)])
+        self.assertLess(json.loads((expected / "summary.json").read_text())["at_rest_since"], 30)
 
     def test_measures_are_those_of_one_process(self):
         of_gas = '["pressure", "collision_rate", "radial_distribution", "mean_square_displacement"]'
         of_mixture = '["all", "diffusion"]'
-        for text, names in ((GAS, of_gas), (MIXTURE, of_mixture)):
-            scenario = self.scenario(text + f"[measures]\nnames = {names}\nevery = 0.07\nfrom = 0.1\n")
-            expected = self.run_alone(scenario, "--overwrite")
-            directory = self.folder / "measured"
-            run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet", "--threads", "2"], 3)
-            self.expect_same(directory, expected)
-            self.expect_same_measures(directory, expected)
-            half = ["--until", "1", "--set", "run.until=1", "--quiet", "--overwrite"]
+        half = ("--until", "1", "--set", "run.until=1")
+        for text, names, end in ((GAS, of_gas, "3"), (MIXTURE, of_mixture, "2")):
             # The first process holds all spheres again, or for the first time.
-            for first, second in ((3, 2), (None, 2), (2, None)):
-                run(["run", scenario, "--out", str(directory), *half], first)
-                run(["resume", str(directory), "--until", "3" if text == GAS else "2"], second)
-                self.expect_same(directory, expected)
-                self.expect_same_measures(directory, expected)
+            halves = ([(first, *half), (second, "--until", end)] for first, second in ((3, 2), (None, 2), (2, None)))
+            expected = self.expect_as_alone(text + f"[measures]\nnames = {names}\nevery = 0.07\nfrom = 0.1\n",
+                                            [(3, "--threads", "2")], *halves)
+            self.assertGreater(len(list((expected / "measures").iterdir())), 1)
 
-    def test_measures_by_default_are_those_of_one_process(self):
-        scenario = self.scenario(GAS)
-        expected = self.run_alone(scenario)
-        directory = self.folder / "resumed"
-        for first, second in ((None, 3), (3, None), (2, 3)):
-            run(["run", scenario, "--out", str(directory), "--overwrite", "--until", "1", "--quiet"], first)
-            run(["resume", str(directory), "--until", "3"], second)
-            self.expect_same(directory, expected)
-            self.expect_same_measures(directory, expected)
+    def test_any_number_of_processes_resumes(self):
+        """With the measures by default, too."""
+        self.expect_as_alone(
+            GAS, *([(first, "--until", "1"), (second, "--until", "3")]
+                   for first, second in ((None, 3), (3, None), (2, 3))),
+            [(3, "--until", "1", "--set", "run.until=1"), (2, "--until", "1.5"), (None, "--until", "2"),
+             (4, "--until", "3", "--threads", "2")])
 
-    def test_spheres_grow_as_in_one_process(self):
-        scenario = self.scenario(GAS + "[growth]\nrate = 0.02\npacking_fraction = 0.2\n")
-        expected = self.run_alone(scenario)
-        directory = self.folder / "grown"
-        run(["run", scenario, "--out", str(directory), "--quiet"], 3)
-        self.expect_same(directory, expected)
-        run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet", "--until", "1"], 2)
-        run(["resume", str(directory), "--until", "2"])
-        run(["resume", str(directory), "--until", "3"], 3)
-        self.expect_same(directory, expected)
-
-    def test_thermostats_act_as_in_one_process(self):
-        for kind in ('"rescale"\nevery = 0.3', '"andersen"\nrate = 0.05'):
-            scenario = self.scenario(GAS + f"[thermostat]\nkind = {kind}\ntemperature = 2.0\n"
-                                           '[measures]\nnames = ["pressure", "temperature"]\n')
-            expected = self.run_alone(scenario, "--overwrite")
-            directory = self.folder / "heated"
-            run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet"], 3)
-            self.expect_same(directory, expected)
-            self.expect_same_measures(directory, expected)
-            run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet", "--until", "1"], 2)
-            run(["resume", str(directory), "--until", "2"])
-            run(["resume", str(directory), "--until", "3"], 3)
-            self.expect_same(directory, expected)
-            self.expect_same_measures(directory, expected)
+    def test_spheres_grow_and_thermostats_act_as_in_one_process(self):
+        for more in ("[growth]\nrate = 0.02\npacking_fraction = 0.2\n",
+                     *(f"[thermostat]\nkind = {kind}\ntemperature = 2.0\n"
+                       '[measures]\nnames = ["pressure", "temperature"]\n'
+                       for kind in ('"rescale"\nevery = 0.3', '"andersen"\nrate = 0.05'))):
+            self.expect_as_alone(GAS + more, [(3,)],
+                                 [(2, "--until", "1"), (None, "--until", "2"), (3, "--until", "3")])
 
     def test_files_that_need_all_spheres_are_those_of_one_process(self):
         files = 'trajectory = ["vtp", "lammps", "gsd"]\nrecording = true\n'
         thermostat = '[thermostat]\nkind = "andersen"\nrate = 0.05\ntemperature = 2.0\n'
         for text in (GAS + files + thermostat, MIXTURE.replace('trajectory = ["lammps", "xyz.zst"]\n', files)):
             scenario = self.scenario(text)
-            expected = self.run_alone(scenario, "--overwrite", "--until", "1.2")
+            expected = self.run_alone(scenario, "--until", "1.2")
             run(["resume", str(expected), "--until", "2"])
-            directory = self.folder / "several"
-            run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet", "--until", "1.2"], 3)
-            run(["resume", str(directory), "--until", "2"], 2)
-            self.expect_same(directory, expected)
-            for path in expected.rglob("*"):
-                if path.suffix in (".gsd", ".vtp", ".pvd", ".hbr"):
-                    self.assertEqual((directory / path.relative_to(expected)).read_bytes(), path.read_bytes(),
-                                     path.name)
-
-    def test_any_number_of_processes_resumes(self):
-        scenario = self.scenario(GAS)
-        expected = self.run_alone(scenario)
-        directory = self.folder / "resumed"
-        run(["run", scenario, "--out", str(directory), "--until", "1", "--set", "run.until=1", "--quiet"], 3)
-        run(["resume", str(directory), "--until", "1.5"], 2)
-        run(["resume", str(directory), "--until", "2"])
-        run(["resume", str(directory), "--until", "3", "--threads", "2"], 4)
-        self.expect_same(directory, expected)
+            self.expect_same(self.run_in(scenario, [(3, "--until", "1.2"), (2, "--until", "2")]), expected)
 
     def test_a_killed_process_ends_the_run_which_others_resume(self):
         scenario = self.scenario(GAS)
@@ -261,9 +228,7 @@ class Processes(unittest.TestCase):
         for change, name in (("response.kind=\"merge\"", "spheres that merge"), ("box.shear_rate=0.1", "sheared")):
             done = run(["run", scenario, "--out", str(self.folder / "refused"), "--set", change, "--set", PERIODIC],
                        2, succeeds=False)
-            messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
-            self.assertEqual(len(messages), 1, done.stderr)
-            self.assertIn(name, messages[0])
+            self.expect_one_message(done, name)
             self.assertFalse((self.folder / "refused").exists())
         done = run(["check", scenario], 2, succeeds=False)
         self.assertIn("several processes", done.stderr)
@@ -291,27 +256,21 @@ class Processes(unittest.TestCase):
         directory.mkdir()
         (directory / "events.npy").symlink_to("/dev/full")
         done = run(["run", scenario, "--out", str(directory), "--quiet", "--until", "20"], 2, succeeds=False)
-        self.assertNotEqual(done.returncode, 0)
-        messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
-        self.assertEqual(len(messages), 1, done.stderr)
-        self.assertIn("cannot write", messages[0])
+        self.expect_one_message(done, "cannot write")
 
     def test_overlaps_at_the_start_are_refused_once(self):
         scenario = self.scenario(GAS.replace('count = 4000\n', "").replace('placement = "fcc"\n', "").replace(
             "temperature = 1.0", "positions = [[1.0, 1.0, 1.0], [1.5, 1.0, 1.0]]\n"
             "velocities = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]"))
         done = run(["run", scenario], 2, succeeds=False)
-        messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
-        self.assertEqual(len(messages), 1, done.stderr)
-        self.assertIn("overlap", messages[0])
+        self.expect_one_message(done, "overlap")
 
-class Machines(unittest.TestCase):
+
+class Machines(FolderTest):
     """Processes that do not share their files, or their command lines."""
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         # Each process runs in a directory of its own.
         self.wrapper = self.folder / "on_its_machine"
         self.wrapper.write_text('#!/bin/sh\ncd "$(dirname "$0")/machine_$OMPI_COMM_WORLD_RANK" && exec "$@"\n')
@@ -324,12 +283,10 @@ class Machines(unittest.TestCase):
         return subprocess.run(MPIRUN + ["-n", "3", str(self.wrapper), PROGRAM, *arguments], env=ENVIRONMENT,
                               capture_output=True, text=True, timeout=120)
 
-    def expect_one_message(self, done, code, *parts):
-        self.assertEqual(done.returncode, code, done.stderr)
-        messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
-        self.assertEqual(len(messages), 1, done.stderr)
-        for part in parts:
-            self.assertIn(part, messages[0])
+    def expect_refused(self, *parts, arguments=("run", "gas.toml", "--quiet")):
+        done = self.start(*arguments)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.expect_one_message(done, *parts)
 
     def test_the_same_files_on_all_are_run(self):
         self.assertEqual(self.start("run", "gas.toml", "--quiet").returncode, 0)
@@ -339,20 +296,18 @@ class Machines(unittest.TestCase):
         for old, new in (("count = 4000", "count = 4001"), ("temperature = 1.0", "temperature = 1.000001"),
                          ("until = 3.0", "until = 2.0")):
             path.write_text(GAS.replace(old, new))
-            self.expect_one_message(self.start("run", "gas.toml", "--quiet"), 2,
-                                    "process 2 has another scenario than process 0", "common file system")
+            self.expect_refused("process 2 has another scenario than process 0", "common file system")
 
     def test_a_missing_scenario_is_refused(self):
         for process in (0, 1, 2):
             path = self.folder / f"machine_{process}" / "gas.toml"
             path.rename(path.with_suffix(".away"))
-            self.expect_one_message(self.start("run", "gas.toml", "--quiet"), 2, "gas.toml: the file cannot be read")
+            self.expect_refused("gas.toml: the file cannot be read")
             path.with_suffix(".away").rename(path)
 
     def test_another_command_line_is_refused(self):
         self.wrapper.write_text('#!/bin/sh\ncd "$(dirname "$0")/machine_0" && exec "$@" --until 1.$OMPI_COMM_WORLD_RANK\n')
-        self.expect_one_message(self.start("run", "gas.toml", "--quiet"), 2,
-                                "process 1 has another command line than process 0")
+        self.expect_refused("process 1 has another command line than process 0")
 
     def test_another_start_file_is_refused(self):
         scenario = GAS[:GAS.index("[[spheres]]")] + '[start]\nfile = "start.xyz"\n' + GAS[GAS.index("[run]"):]
@@ -361,20 +316,19 @@ class Machines(unittest.TestCase):
             (folder / "gas.toml").write_text(scenario)
             (folder / "start.xyz").write_text("2\nProperties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 1 0 0 0.5\n"
                                               f"9 5 5 0 0.{process // 2} 0 0.5\n")
-        self.expect_one_message(self.start("run", "gas.toml", "--quiet"), 2, "process 2 has another start file")
+        self.expect_refused("process 2 has another start file")
 
     def test_another_checkpoint_is_refused(self):
         for process, until in ((0, "1"), (1, "1"), (2, "2")):
             folder = self.folder / f"machine_{process}"
             run(["run", str(folder / "gas.toml"), "--out", str(folder / "out"), "--until", until, "--quiet"])
-        self.expect_one_message(self.start("resume", "out", "--until", "3", "--quiet"), 2,
-                                "has another checkpoint than process 0")
+        resume = ("resume", "out", "--until", "3", "--quiet")
+        self.expect_refused("has another checkpoint than process 0", arguments=resume)
         (self.folder / "machine_1" / "out" / "checkpoint.hbc").unlink()
-        self.expect_one_message(self.start("resume", "out", "--until", "3", "--quiet"), 2, "there is no checkpoint")
+        self.expect_refused("there is no checkpoint", arguments=resume)
 
     def test_an_unknown_option_is_refused_once(self):
-        self.expect_one_message(self.start("run", "gas.toml", "--nonsense"), 2, "--nonsense")
-
+        self.expect_refused("--nonsense", arguments=("run", "gas.toml", "--nonsense"))
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "hardball/numbers/random.hpp"
@@ -18,8 +17,7 @@
 namespace hardball::births_and_deaths_test {
 namespace {
 
-using support::History;
-using support::RandomWorld;
+using namespace support;
 
 constexpr std::uint64_t kWorlds = 600;
 constexpr std::uint64_t kParts = 4;
@@ -80,7 +78,7 @@ class Editor {
     const Vec3 way = in_plane(world, random_.direction());
     const double distance = 1 + random_.uniform();
     const Vec3 its_velocity = velocity(world);
-    const auto species = static_cast<SpeciesId>(below(support::kMaxRandomSpecies));
+    const auto species = static_cast<SpeciesId>(below(kMaxRandomSpecies));
     if (ids.empty() || length(way) == 0) return;
     const SphereId beside = ids[below(ids.size())];
     const Vec3 place = simulation.position(beside) +
@@ -107,12 +105,12 @@ History run_with_edits(Simulation& simulation, Editor& editor, const RunLimits& 
                        AfterEdit&& after_edit) {
   History history;
   for (std::uint64_t done = 0; done < limits.contacts; ++done) {
-    history = support::run_on(simulation, {.until = limits.until, .contacts = 1});
+    history = run_on(simulation, {.until = limits.until, .contacts = 1});
     if (!history.failure.empty()) return history;
     if (history.contacts <= done) break;
     if (editor.edit(simulation)) after_edit(simulation);
   }
-  return support::run_on(simulation, {.until = limits.until, .contacts = 0});
+  return run_on(simulation, {.until = limits.until, .contacts = 0});
 }
 
 void make_anew(Simulation& simulation) {
@@ -121,7 +119,7 @@ void make_anew(Simulation& simulation) {
 
 History run_with_edits_of_listener(Simulation& simulation, Editor& editor, const RunLimits& limits) {
   simulation.on_contact([&](const Contact&) { editor.edit(simulation); });
-  return support::run_on(simulation, limits);
+  return run_on(simulation, limits);
 }
 
 class BirthsAndDeaths : public testing::TestWithParam<std::uint64_t> {};
@@ -129,8 +127,8 @@ class BirthsAndDeaths : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(BirthsAndDeaths, GiveTheHistoryOfEnginesMadeAnew) {
   std::uint64_t births = 0;
   std::uint64_t mergers = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    support::RandomWorldMaker maker(seed);
+  for (std::uint64_t seed = GetParam(); seed < cases(kWorlds); seed += kParts) {
+    RandomWorldMaker maker(seed);
     RandomWorld made = seed % 3 == 0   ? maker.make()
                        : seed % 3 == 1 ? maker.make_responsive()
                                        : maker.make_responsive_flat();
@@ -142,13 +140,13 @@ TEST_P(BirthsAndDeaths, GiveTheHistoryOfEnginesMadeAnew) {
     }
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = 30 + 20 * (seed % 5)};
-    std::vector<support::EngineVariant> variants = support::engine_variants(made.world);
+    std::vector<EngineVariant> variants = engine_variants(made.world);
     Simulation reference(made.world, variants.front().options);
     Editor editor_of_reference(made.world, seed);
     const History expected = run_with_edits(reference, editor_of_reference, limits, make_anew);
     births += editor_of_reference.births();
     mergers += reference.tally().mergers();
-    for (const support::EngineVariant& variant : variants) {
+    for (const EngineVariant& variant : variants) {
       for (const bool by_listener : {false, true}) {
         SCOPED_TRACE(variant.name + (by_listener ? ", by a listener" : ", between runs"));
         try {
@@ -157,7 +155,7 @@ TEST_P(BirthsAndDeaths, GiveTheHistoryOfEnginesMadeAnew) {
           const History history = by_listener ? run_with_edits_of_listener(simulation, editor, limits)
                                               : run_with_edits(simulation, editor, limits,
                                                                [](Simulation& edited) { edited.validate(); });
-          ASSERT_EQ(support::difference(history, expected), "");
+          ASSERT_EQ(difference(history, expected), "");
           if (history.failure.empty()) simulation.validate();
         } catch (const Error& error) {
           if (error.where() != "cell edge") throw;
@@ -165,8 +163,8 @@ TEST_P(BirthsAndDeaths, GiveTheHistoryOfEnginesMadeAnew) {
       }
     }
   }
-  EXPECT_GT(births, support::cases(kWorlds) / kParts);
-  EXPECT_GE(mergers, support::cases(kWorlds) / kParts / 40);
+  EXPECT_GT(births, cases(kWorlds) / kParts);
+  EXPECT_GE(mergers, cases(kWorlds) / kParts / 40);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, BirthsAndDeaths, testing::Range<std::uint64_t>(0, kParts));
@@ -200,7 +198,7 @@ TEST(BirthsAndDeaths, AmongLargeSpheresGiveTheHistoryOfOtherEngines) {
     ResponseTable responses;
     if (merges) responses.set(0, 1, Merging());
     world.set_interactions(responses);
-    const RunLimits limits{.until = Time(4), .contacts = support::cases(600)};
+    const RunLimits limits{.until = Time(4), .contacts = cases(600)};
     std::vector<History> histories;
     for (const double edge : {0.8, 1.7, 6.0}) {
       Simulation simulation(world, {.engine = EngineKind::cells, .cell_edge = edge});
@@ -210,7 +208,7 @@ TEST(BirthsAndDeaths, AmongLargeSpheresGiveTheHistoryOfOtherEngines) {
       EXPECT_GT(editor.births(), limits.contacts / 20);
     }
     for (const History& history : histories) {
-      EXPECT_EQ(support::difference(history, histories.front()), "");
+      EXPECT_EQ(difference(history, histories.front()), "");
     }
   }
 }

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +26,7 @@
 namespace hardball::distributed_test {
 namespace {
 
-using support::RandomWorld;
+using namespace support;
 
 struct Setting {
   std::size_t processes;
@@ -89,8 +88,8 @@ constexpr std::uint64_t kWorlds = 60;
 constexpr std::uint64_t kParts = 4;
 
 TEST_P(Distributed, HasTheHistoryOfAllPairs) {
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = support::any_world(seed);
+  for (std::uint64_t seed = GetParam(); seed < cases(kWorlds); seed += kParts) {
+    const RandomWorld made = any_world(seed);
     if (made.world.interactions().may_merge() || made.world.interactions().function()) continue;
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 3)};
@@ -111,7 +110,7 @@ TEST_P(Distributed, HasTheHistoryOfAllPairs) {
       const bool is_listened_to = seed % 4 == 2;
       const Brought brought = seed % 3 == 0 ? Brought::whole : Brought::parts;
       std::vector<Contact> log;
-      support::in_processes(setting.processes, [&](Processes& processes) {
+      in_processes(setting.processes, [&](Processes& processes) {
         Simulation simulation = start(processes, made.world, {.division = setting.division}, brought);
         const auto note = [&](const Contact& contact) {
           if (processes.is_first()) log.push_back(contact);
@@ -151,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(Part, Distributed, testing::Range<std::uint64_t>(0, kPa
 
 // A gas in pieces, saved and loaded between by other numbers of processes, and by one.
 TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
-  const World world = support::make_gas({.count = 1000, .packing_fraction = 0.25, .seed = 3});
+  const World world = make_gas({.count = 1000, .packing_fraction = 0.25, .seed = 3});
   Simulation expected(world);
   std::string saved;
   std::vector<std::string> blocks;
@@ -162,7 +161,7 @@ TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
     if (simulation.processes().is_first()) saved = state;
   };
   expected.run_until(0.1);
-  support::in_processes(3, [&](Processes& processes) {
+  in_processes(3, [&](Processes& processes) {
     Simulation simulation = start(processes, world);
     simulation.run({.until = Time(0.1)});
     expect_same_state(simulation, expected);
@@ -175,7 +174,7 @@ TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
     expected.run_until(until);
     const std::string before = saved;
     const std::vector<std::string> blocks_before = blocks;
-    support::in_processes(count, [&](Processes& processes) {
+    in_processes(count, [&](Processes& processes) {
       Simulation simulation = Simulation::load_blocks(
           before, processes.is_first() ? blocks_before : std::vector<std::string>(), "state", processes);
       simulation.run({.until = Time(until)});
@@ -186,7 +185,7 @@ TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
   whole.run_until(until);
   EXPECT_EQ(whole.event_log_hash(), expected.event_log_hash());
   EXPECT_EQ(whole.positions(), expected.positions());
-  support::in_processes(2, [&](Processes& processes) {
+  in_processes(2, [&](Processes& processes) {
     Simulation simulation = Simulation::load(whole.save(), "state", processes);
     simulation.run({.until = Time(until + 0.1)});
     Simulation further = whole;
@@ -197,7 +196,7 @@ TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
 
 // In pieces, one of which ends by the number of contacts; saved and loaded by others between.
 TEST(DistributedGas, HasTheThermostatOfOneProcess) {
-  const World world = support::make_gas({.count = 300, .packing_fraction = 0.2, .seed = 6});
+  const World world = make_gas({.count = 300, .packing_fraction = 0.2, .seed = 6});
   const std::vector<ThermostatKind> kinds{Andersen(1.5, 0.7), Rescale(2, 0.03), Heating(0.5, 0.02)};
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     SCOPED_TRACE(name_of(kinds[kind]));
@@ -233,7 +232,7 @@ TEST(DistributedGas, HasTheThermostatOfOneProcess) {
       saved = state;
       blocks.assign(1, Simulation::saved_block(own.front()));
     };
-    support::in_processes(3, [&](Processes& processes) {
+    in_processes(3, [&](Processes& processes) {
       Simulation simulation =
           start(processes, world, {.division = Division{.domains = 1, .halo = 1.3, .window = 0.5}});
       simulation.set_thermostat(thermostat);
@@ -245,7 +244,7 @@ TEST(DistributedGas, HasTheThermostatOfOneProcess) {
     EXPECT_EQ(whole.positions(), expected.positions());
     const std::string before = saved;
     const std::vector<std::string> blocks_before = blocks;
-    support::in_processes(2, [&](Processes& processes) {
+    in_processes(2, [&](Processes& processes) {
       run(Simulation::load_blocks(before, processes.is_first() ? blocks_before : std::vector<std::string>(),
                                   "state", processes),
           2, 2);
@@ -258,17 +257,17 @@ TEST(DistributedGas, HasTheThermostatOfOneProcess) {
       ASSERT_EQ(changes[k].position, expected_changes[k].position);
       ASSERT_EQ(changes[k].after, expected_changes[k].after);
     }
-    support::in_processes(
+    in_processes(
         2, [&](Processes& processes) { run(Simulation::load(states[1].save(), "state", processes), 2, 2); });
   }
 }
 
 // A system that is too large for one process.
 TEST(DistributedGas, HoldsAllSpheresOnlyWhereSomebodyAsks) {
-  const World world = support::make_gas({.count = 400, .packing_fraction = 0.2, .seed = 8});
+  const World world = make_gas({.count = 400, .packing_fraction = 0.2, .seed = 8});
   Simulation expected(world);
   expected.run_until(0.3);
-  support::in_processes(2, [&](Processes& processes) {
+  in_processes(2, [&](Processes& processes) {
     Simulation simulation = start(processes, world);
     Measures none({.names = {}});
     simulation.run_until(0.3, none);
@@ -284,8 +283,8 @@ TEST(DistributedGas, HoldsAllSpheresOnlyWhereSomebodyAsks) {
 
 // The first process is asked.
 TEST(DistributedGas, StopsWhereTheFirstProcessIsTold) {
-  const World world = support::make_gas({.count = 200, .packing_fraction = 0.25, .seed = 4});
-  support::in_processes(2, [&](Processes& processes) {
+  const World world = make_gas({.count = 200, .packing_fraction = 0.25, .seed = 4});
+  in_processes(2, [&](Processes& processes) {
     Simulation simulation = start(processes, world);
     int asked = 0;
     const RunStatus status =
@@ -299,7 +298,7 @@ TEST(DistributedGas, StopsWhereTheFirstProcessIsTold) {
 }
 
 TEST(DistributedGas, RefusesWhatProcessesCannotShare) {
-  support::in_processes(2, [](Processes& processes) {
+  in_processes(2, [](Processes& processes) {
     World overlapping(Box::periodic({10, 10, 10}));
     overlapping.add({{1, 1, 1}, {1, 0, 0}, 1, 1});
     overlapping.add({{2, 1, 1}, {1, 0, 0}, 1, 1});
@@ -307,7 +306,7 @@ TEST(DistributedGas, RefusesWhatProcessesCannotShare) {
     EXPECT_THROW(start(processes, overlapping, {}, Brought::whole), Error);
     World merging(Box::periodic({10, 10, 10}));
     merging.add({{1, 1, 1}, {1, 0, 0}, 1, 1});
-    const World gas = support::make_gas({.count = 20, .packing_fraction = 0.1, .seed = 5});
+    const World gas = make_gas({.count = 20, .packing_fraction = 0.1, .seed = 5});
     EXPECT_THROW(start(processes, gas, {.engine = EngineKind::paper}), Error);
     EXPECT_THROW(start(processes, gas, {.engine = EngineKind::all_pairs}), Error);
     merging.set_interactions(ResponseTable(Merging(), Bounce()));
@@ -315,8 +314,7 @@ TEST(DistributedGas, RefusesWhatProcessesCannotShare) {
       return support::problem_of([&] { static_cast<void>(start(processes, world)); });
     };
     EXPECT_EQ(problem_of(merging), "processes cannot share spheres that merge");
-    const World stepping =
-        support::interacting(gas, support::stepping({.steps = {{.ratio = 1.2, .energy = -1}}}));
+    const World stepping = interacting(gas, support::stepping({.steps = {{.ratio = 1.2, .energy = -1}}}));
     EXPECT_EQ(problem_of(stepping), "processes cannot share spheres with potentials of steps");
     Box sheared = Box::periodic({10, 10, 10});
     sheared.set_shear({.rate = 0.1});

@@ -5,7 +5,6 @@
 // engine that compares all pairs, to the last bit.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <vector>
 
 #include "hardball/numbers/random.hpp"
@@ -17,8 +16,7 @@
 namespace hardball::domains_test {
 namespace {
 
-using support::History;
-using support::RandomWorld;
+using namespace support;
 
 constexpr std::uint64_t kWorlds = 240;
 constexpr std::uint64_t kParts = 4;
@@ -27,23 +25,23 @@ class Domains : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(Domains, HaveTheHistoryOfAllPairs) {
   std::uint64_t contacts = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = support::any_world(seed);
+  for (std::uint64_t seed = GetParam(); seed < cases(kWorlds); seed += kParts) {
+    const RandomWorld made = any_world(seed);
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 3)};
     Simulation reference(made.world, {.engine = EngineKind::all_pairs});
-    const History expected = support::run_on(reference, limits);
-    for (const support::EngineVariant& variant : support::divided_variants()) {
+    const History expected = run_on(reference, limits);
+    for (const EngineVariant& variant : divided_variants()) {
       SCOPED_TRACE(variant.name);
       Simulation simulation(made.world, variant.options);
-      const History history = support::run_on(simulation, limits);
-      ASSERT_EQ(support::difference(history, expected), "");
+      const History history = run_on(simulation, limits);
+      ASSERT_EQ(difference(history, expected), "");
       if (history.failure.empty()) simulation.validate();
       // A listener hears the contacts in their order.
       Simulation heard(made.world, variant.options);
       Simulation heard_reference(made.world, {.engine = EngineKind::all_pairs});
-      const std::vector<Contact> log = support::record(heard, limits);
-      const std::vector<Contact> log_of_reference = support::record(heard_reference, limits);
+      const std::vector<Contact> log = record(heard, limits);
+      const std::vector<Contact> log_of_reference = record(heard_reference, limits);
       ASSERT_EQ(log.size(), log_of_reference.size());
       for (std::size_t i = 0; i < log.size(); ++i) {
         ASSERT_EQ(log[i].time, log_of_reference[i].time) << "contact " << i;
@@ -55,7 +53,7 @@ TEST_P(Domains, HaveTheHistoryOfAllPairs) {
     }
     contacts += expected.contacts;
   }
-  EXPECT_GT(contacts, 5 * support::cases(kWorlds) / kParts);
+  EXPECT_GT(contacts, 5 * cases(kWorlds) / kParts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, Domains, testing::Range<std::uint64_t>(0, kParts));
@@ -63,19 +61,17 @@ INSTANTIATE_TEST_SUITE_P(Part, Domains, testing::Range<std::uint64_t>(0, kParts)
 // Gases in blocks so small, with halos so shallow and windows so long, that most windows fail.
 TEST(GasInDomains, HasOneHistoryWhereWindowsFail) {
   for (const double packing_fraction : {0.02, 0.25}) {
-    for (std::uint64_t seed = 0; seed < support::cases(30); ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(30); ++seed) {
       SCOPED_TRACE(testing::Message() << "packing fraction " << packing_fraction << ", seed " << seed);
-      const World world =
-          support::make_gas({.count = 500, .packing_fraction = packing_fraction, .seed = seed});
+      const World world = make_gas({.count = 500, .packing_fraction = packing_fraction, .seed = seed});
       const RunLimits limits{.contacts = 1500};
       Simulation reference(world);
-      const History expected = support::run_on(reference, limits);
+      const History expected = run_on(reference, limits);
       for (const Division& division : {Division{.domains = 2, .halo = 1.05, .window = 1},
                                        Division{.domains = 4, .halo = 1.05, .window = 0.3},
                                        Division{.domains = 8, .halo = 1.5, .window = 0.3}}) {
         Simulation simulation(world, {.division = division});
-        ASSERT_EQ(support::difference(support::run_on(simulation, limits), expected), "")
-            << division.domains << " domains";
+        ASSERT_EQ(difference(run_on(simulation, limits), expected), "") << division.domains << " domains";
       }
     }
   }
@@ -84,9 +80,9 @@ TEST(GasInDomains, HasOneHistoryWhereWindowsFail) {
 // A thin gas in which spheres come and go between domains all the time, for some flights: who owns and holds
 // them is checked on the way.
 TEST(GasInDomains, KnowsWhoHoldsSpheresThatComeAndGo) {
-  for (std::uint64_t seed = 0; seed < support::cases(8); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(8); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const World world = support::make_gas({.count = 4000, .packing_fraction = 0.02, .seed = seed});
+    const World world = make_gas({.count = 4000, .packing_fraction = 0.02, .seed = seed});
     const RunLimits limits{.contacts = 8000};
     Simulation reference(world);
     reference.run(limits);
@@ -101,8 +97,8 @@ TEST(GasInDomains, KnowsWhoHoldsSpheresThatComeAndGo) {
 // Listeners that give spheres new velocities, remove them and add others cut windows short.
 TEST(EditedDomains, HaveTheHistoryOfAllPairs) {
   constexpr std::uint64_t kEdited = 60;
-  for (std::uint64_t seed = 0; seed < support::cases(kEdited); ++seed) {
-    const RandomWorld made = support::make_random_world(seed);
+  for (std::uint64_t seed = 0; seed < cases(kEdited); ++seed) {
+    const RandomWorld made = make_random_world(seed);
     if (made.world.size() < 2) continue;
     SCOPED_TRACE(made.name);
     const auto history_of = [&](const EngineOptions& options) {
@@ -124,19 +120,19 @@ TEST(EditedDomains, HaveTheHistoryOfAllPairs) {
           }
         }
       });
-      return support::run_on(simulation, {.until = Time(made.until), .contacts = 60});
+      return run_on(simulation, {.until = Time(made.until), .contacts = 60});
     };
     const History expected = history_of({.engine = EngineKind::all_pairs});
-    for (const support::EngineVariant& variant : support::divided_variants()) {
+    for (const EngineVariant& variant : divided_variants()) {
       SCOPED_TRACE(variant.name);
-      ASSERT_EQ(support::difference(history_of(variant.options), expected), "");
+      ASSERT_EQ(difference(history_of(variant.options), expected), "");
     }
   }
 }
 
 // A gas large enough for windows that do not fail, in pieces, looked ahead of, saved and loaded between.
 TEST(GasInDomains, HasOneHistoryThroughLookAheadsAndSaving) {
-  const World world = support::make_gas({.count = 1000, .packing_fraction = 0.25, .seed = 3});
+  const World world = make_gas({.count = 1000, .packing_fraction = 0.25, .seed = 3});
   Simulation expected(world);
   Simulation divided(world, {.division = Division{.domains = 4, .threads = 2}});
   for (int piece = 1; piece <= 5; ++piece) {

@@ -4,7 +4,6 @@
 // Many small worlds, each run by every engine and size of cells: one history, bit for bit.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -24,9 +23,7 @@
 namespace hardball::engines_agree_test {
 namespace {
 
-using support::EngineVariant;
-using support::History;
-using support::RandomWorld;
+using namespace support;
 
 constexpr std::uint64_t kWorlds = 4000;
 constexpr std::uint64_t kParts = 8;
@@ -36,34 +33,34 @@ class EnginesAgree : public testing::TestWithParam<std::uint64_t> {
   // Runs a part of so many worlds that `make` makes of seeds by every engine.
   void agree_on(RandomWorld (*make)(std::uint64_t seed), std::uint64_t worlds = kWorlds) {
     std::uint64_t contacts = 0;
-    for (std::uint64_t seed = GetParam(); seed < support::cases(worlds); seed += kParts) {
+    for (std::uint64_t seed = GetParam(); seed < cases(worlds); seed += kParts) {
       const RandomWorld made = make(seed);
       SCOPED_TRACE(made.name);
       // Contacts are limited too: in a granular world infinitely many may happen in a finite time.
       const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 5)};
       const std::optional<History> history =
-          support::one_history(made.world, support::engine_variants(made.world), limits, true);
+          one_history(made.world, engine_variants(made.world), limits, true);
       if (!history) return;
       contacts += history->contacts;
     }
     // The worlds have some 50 contacts each on average.
-    EXPECT_GT(contacts, 30 * support::cases(worlds) / kParts);
+    EXPECT_GT(contacts, 30 * cases(worlds) / kParts);
   }
 };
 
 TEST_P(EnginesAgree, OnRandomWorlds) {
-  agree_on(support::make_random_world);
+  agree_on(make_random_world);
 }
 
 // With gravity, walls of all shapes, in motion or thermal, and obstacles.
 TEST_P(EnginesAgree, OnFurnishedWorlds) {
-  agree_on(support::make_furnished_world);
+  agree_on(make_furnished_world);
 }
 
 // Discs, with and without all that.
 TEST_P(EnginesAgree, OnFlatWorlds) {
   const auto make = [](std::uint64_t seed) {
-    return seed % 3 == 0 ? support::make_responsive_flat_world(seed) : support::make_flat_world(seed);
+    return seed % 3 == 0 ? make_responsive_flat_world(seed) : make_flat_world(seed);
   };
   agree_on(make, kWorlds / 2);
 }
@@ -71,7 +68,7 @@ TEST_P(EnginesAgree, OnFlatWorlds) {
 // With species that bounce by different rules, rough or smooth, merge, or pass through each other, and
 // kinematic spheres.
 TEST_P(EnginesAgree, OnResponsiveWorlds) {
-  agree_on(support::make_responsive_world);
+  agree_on(make_responsive_world);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, EnginesAgree, testing::Range<std::uint64_t>(0, kParts));
@@ -92,7 +89,7 @@ TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
                                               {0.05, 40, {1, 0.5, 0, -0.5, -1}},
                                               {0.05, 40, {1, 0, 0, 0, -1}}}};
   for (const Collapse& collapse : collapses) {
-    if (support::kIsSlowBuild && collapse.restitution == 0.05) continue;
+    if (kIsSlowBuild && collapse.restitution == 0.05) continue;
     World world(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {collapse.size, 3, 0}));
     for (std::size_t i = 0; i < 5; ++i) {
       const double x = 0.75 + 1.375 * static_cast<double>(i);
@@ -102,8 +99,7 @@ TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
     world.add({{1, 1, 20}, {0, 0, 1e4}, 0.125, 1});
     world.set_interactions(Restitution(collapse.restitution));
     const RunLimits limits{.until = Time(20), .contacts = 200000};
-    const std::optional<History> history =
-        support::one_history(world, support::engine_variants(world), limits);
+    const std::optional<History> history = one_history(world, engine_variants(world), limits);
     ASSERT_TRUE(history);
     EXPECT_NE(history->failure.find("inelastic collapse"), std::string::npos);
     EXPECT_NE(history->failure.find("elastic_below"), std::string::npos) << "the message says what helps";
@@ -117,10 +113,10 @@ TEST(InelasticCollapse, RunsWithoutEndEndWithTheOperatingRange) {
   world.add({.position = {8.625, 2, 2}, .velocity = {-1, 0, 0}, .radius = 0.5});
   world.add({.position = {7.375, 2, 2}, .velocity = {1, 0, 0}, .radius = 0.5});
   world.set_interactions(Restitution(0.05));
-  std::vector<EngineVariant> variants = support::engine_variants(world);
+  std::vector<EngineVariant> variants = engine_variants(world);
   variants.push_back({{.division = Division{.domains = 2}}, "domains"});
-  support::one_history(world, variants, [](Simulation& simulation, const EngineVariant&, bool) {
-    const History history = support::run_on(simulation, {.contacts = 1000});
+  one_history(world, variants, [](Simulation& simulation, const EngineVariant&, bool) {
+    const History history = run_on(simulation, {.contacts = 1000});
     EXPECT_GT(history.contacts, 100U);
     EXPECT_LT(history.contacts, 1000U);
     EXPECT_LE(simulation.time(), kLargestTime);
@@ -140,8 +136,7 @@ TEST(InelasticCollapse, IsAvoidedIfSlowOrRapidImpactsAreElastic) {
     BounceRules rules{.restitution = ConstantRestitution{0.1}};
     (by_duration ? rules.contact_duration : rules.elastic_below) = by_duration ? 0.01 : 1e-3;
     world.set_interactions(ResponseTable(Bounce(rules), Bounce(rules)));
-    const std::optional<History> history =
-        support::one_history(world, support::engine_variants(world), {.until = Time(1000)});
+    const std::optional<History> history = one_history(world, engine_variants(world), {.until = Time(1000)});
     ASSERT_TRUE(history);
     EXPECT_EQ(history->failure, "");
     EXPECT_GT(history->contacts, by_duration ? 20U : 100U);
@@ -157,7 +152,7 @@ constexpr std::uint64_t kLargeParts = 4;
 World make_large_world(std::uint64_t seed) {
   Random random(seed);
   const auto between = [&](double low, double high) { return low + (high - low) * random.uniform(); };
-  const std::size_t least = support::kIsSlowBuild ? 500 : 2000;
+  const std::size_t least = kIsSlowBuild ? 500 : 2000;
   const std::size_t count = least + random.bits() % least;
   const double ratio = std::array{1.0, 1.5, 4.0, 20.0}[random.bits() % 4];
   std::vector<double> radii;
@@ -188,19 +183,19 @@ World make_large_world(std::uint64_t seed) {
 class LargeWorlds : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(LargeWorlds, HaveOneHistory) {
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kLargeWorlds); seed += kLargeParts) {
+  for (std::uint64_t seed = GetParam(); seed < cases(kLargeWorlds); seed += kLargeParts) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const World world = make_large_world(seed);
     const double diameter = 2 * world.largest_radius();
     // Spheres that burst into open space meet no more, and need not fly for ever.
-    const RunLimits limits{.until = Time(500), .contacts = support::cases(20000)};
+    const RunLimits limits{.until = Time(500), .contacts = cases(20000)};
     std::vector<EngineVariant> ways{
         {{}, "automatic"},
         {{.engine = EngineKind::cells, .cell_edge = diameter}, "cells"},
         {{.engine = EngineKind::cells, .cell_edge = 2.5 * diameter}, "large cells"}};
     if (NeighborList::supports(world)) ways.push_back({{.engine = EngineKind::neighbors}, "neighbors"});
-    if (!support::kIsSlowBuild) ways.push_back({{.engine = EngineKind::all_pairs}, "all pairs"});
-    const std::optional<History> history = support::one_history(world, ways, limits);
+    if (!kIsSlowBuild) ways.push_back({{.engine = EngineKind::all_pairs}, "all pairs"});
+    const std::optional<History> history = one_history(world, ways, limits);
     ASSERT_TRUE(history);
     EXPECT_EQ(history->failure, "");
     // Only a burst into open space ends before.
@@ -248,7 +243,7 @@ World make_mixture(std::uint64_t seed) {
 TEST(Mixtures, HaveTheHistoryOfAllPairs) {
   std::uint64_t suited = 0;
   std::uint64_t contacts = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(200); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(200); ++seed) {
     World world = make_mixture(seed);
     SCOPED_TRACE("seed " + std::to_string(seed));
     world.set_interactions(Restitution(seed % 3 == 0 ? 1 : 0.3 + 0.1 * static_cast<double>(seed % 7)));
@@ -258,18 +253,18 @@ TEST(Mixtures, HaveTheHistoryOfAllPairs) {
       if (LargeSphereGrid::supports(world, edge)) ++suited;
       ways.push_back({{.engine = EngineKind::cells, .cell_edge = edge}, "cells of edge " + to_text(edge)});
     }
-    const std::optional<History> history = support::one_history(world, ways, limits);
+    const std::optional<History> history = one_history(world, ways, limits);
     ASSERT_TRUE(history);
     contacts += history->contacts;
   }
-  EXPECT_GT(suited, support::cases(200));
-  EXPECT_GT(contacts, 30 * support::cases(200));
+  EXPECT_GT(suited, cases(200));
+  EXPECT_GT(contacts, 30 * cases(200));
 }
 
 // A ball that lists those that can reach it soon: now and then a sphere near it becomes far faster than the
 // list assumes, and the ball itself is pushed.
 TEST(Mixtures, AreFollowedThroughChangesOfVelocity) {
-  for (std::uint64_t seed = 0; seed < (support::kIsSlowBuild ? 1U : 4U); ++seed) {
+  for (std::uint64_t seed = 0; seed < (kIsSlowBuild ? 1U : 4U); ++seed) {
     Random random(seed);
     constexpr double kSize = 44;
     std::vector<double> radii(seed % 2 == 0 ? 4000 : 3000, 0.2);
@@ -288,7 +283,7 @@ TEST(Mixtures, AreFollowedThroughChangesOfVelocity) {
     std::optional<std::uint64_t> expected;
     for (const EngineKind engine : {EngineKind::all_pairs, EngineKind::cells}) {
       // Where it would take minutes, the checks of the cells must do.
-      if (support::kIsSlowBuild && engine == EngineKind::all_pairs) continue;
+      if (kIsSlowBuild && engine == EngineKind::all_pairs) continue;
       Simulation simulation(world, {.engine = engine, .cell_edge = kEdge});
       Random changes(seed);
       for (int piece = 0; piece < 20; ++piece) {
@@ -313,8 +308,8 @@ TEST(Mixtures, AreFollowedThroughChangesOfVelocity) {
 // Runs the world in every way: `run` takes a simulation and returns its history.
 template <class Run>
 std::uint64_t contacts_in_one_history(const World& world, Run&& run) {
-  const std::optional<History> history = support::one_history(
-      world, support::engine_variants(world), [&](Simulation& simulation, const EngineVariant&, bool) {
+  const std::optional<History> history =
+      one_history(world, engine_variants(world), [&](Simulation& simulation, const EngineVariant&, bool) {
         History found = run(simulation);
         simulation.validate();
         return found;
@@ -324,7 +319,7 @@ std::uint64_t contacts_in_one_history(const World& world, Run&& run) {
 
 // So light that it hardly moves the others.
 World gas_with_bullet(std::uint64_t seed, double speed) {
-  World gas = support::make_gas({.count = 50, .packing_fraction = 0.05, .seed = seed});
+  World gas = make_gas({.count = 50, .packing_fraction = 0.05, .seed = seed});
   World world(gas.box());
   for (Slot slot = 0; slot < gas.size(); ++slot) {
     const bool is_bullet = slot == seed % gas.size();
@@ -337,11 +332,11 @@ World gas_with_bullet(std::uint64_t seed, double speed) {
 }
 
 TEST(Speeds, OfABulletAmongSlowSpheres) {
-  for (std::uint64_t seed = 0; seed < support::cases(12); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(12); ++seed) {
     for (const double speed : {10.0, 30.0, 1e4, 1e6}) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", speed " << speed);
       const World world = gas_with_bullet(seed, speed);
-      const auto run = [](Simulation& simulation) { return support::run_on(simulation, {.contacts = 1000}); };
+      const auto run = [](Simulation& simulation) { return run_on(simulation, {.contacts = 1000}); };
       EXPECT_EQ(contacts_in_one_history(world, run), 1000U);
       if (HasFailure()) return;
     }
@@ -350,11 +345,11 @@ TEST(Speeds, OfABulletAmongSlowSpheres) {
 
 // Half of the spheres of a gas get other speeds by and by, or all at once.
 TEST(Speeds, ThatChangeByOrdersOfMagnitude) {
-  for (std::uint64_t seed = 0; seed < support::cases(6); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(6); ++seed) {
     for (const std::vector<double>& factors :
          {std::vector<double>{1e4}, std::vector<double>{1e-4}, std::vector<double>{1e2, 1e4, 1e-3}}) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", first factor " << factors[0]);
-      const World world = support::make_gas({.count = 100, .packing_fraction = 0.02, .seed = seed});
+      const World world = make_gas({.count = 100, .packing_fraction = 0.02, .seed = seed});
       const auto run = [&](Simulation& simulation) {
         Random random(seed);
         double speed = 1;
@@ -364,9 +359,9 @@ TEST(Speeds, ThatChangeByOrdersOfMagnitude) {
           for (SphereId id = 0; id < simulation.size(); id += 2) {
             simulation.change_velocity(id, speed * random.direction());
           }
-          support::run_on(simulation, {.contacts = 3000 / factors.size()});
+          run_on(simulation, {.contacts = 3000 / factors.size()});
         }
-        return support::run_on(simulation, {.contacts = 1});
+        return run_on(simulation, {.contacts = 1});
       };
       EXPECT_GT(contacts_in_one_history(world, run), 3000U);
       if (HasFailure()) return;
@@ -377,7 +372,7 @@ TEST(Speeds, ThatChangeByOrdersOfMagnitude) {
 // A slow sphere and one at rest, which it meets when the others have had thousands of contacts: much later
 // than copies of paths are good for.
 TEST(Speeds, OfSpheresAtRestForVeryLong) {
-  for (std::uint64_t seed = 0; seed < support::cases(6); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(6); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     World world(Box::periodic({16, 16, 16}));
@@ -388,7 +383,7 @@ TEST(Speeds, OfSpheresAtRestForVeryLong) {
       for (const double x : {2.0, 10.0}) world.add({{x, y, 9}, {}, 0.5, 1e9});
       world.add({{5 + random.uniform(), y, 9}, {10 + random.uniform(), 0, 0}, 0.5, 1});
     }
-    const auto run = [](Simulation& simulation) { return support::run_on(simulation, {.until = Time(600)}); };
+    const auto run = [](Simulation& simulation) { return run_on(simulation, {.until = Time(600)}); };
     EXPECT_GT(contacts_in_one_history(world, run), 2000U);
     if (HasFailure()) return;
   }
@@ -396,19 +391,17 @@ TEST(Speeds, OfSpheresAtRestForVeryLong) {
 
 // In open space, so far from the origin that places are coarse on the scale of the spheres, by more or less.
 TEST(Places, FarFromTheOrigin) {
-  for (std::uint64_t seed = 0; seed < support::cases(4); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(4); ++seed) {
     for (const double distance : {1e6, 2e7, 5e7, 1e8, 1e9, 1e11}) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", distance " << distance);
       const World gas =
-          support::make_gas({.count = 60, .packing_fraction = 0.2, .seed = seed, .boundary = Boundary::open});
+          make_gas({.count = 60, .packing_fraction = 0.2, .seed = seed, .boundary = Boundary::open});
       World world;
       for (const Path& path : gas.paths()) {
         // Spaced a little wider: places are rounded.
         world.add({1.001 * path.position + Vec3{distance, -distance, 0}, path.velocity, 0.5, 1});
       }
-      const auto run = [](Simulation& simulation) {
-        return support::run_on(simulation, {.until = Time(30)});
-      };
+      const auto run = [](Simulation& simulation) { return run_on(simulation, {.until = Time(30)}); };
       EXPECT_GT(contacts_in_one_history(world, run), 30U);
       if (HasFailure()) return;
     }
@@ -455,18 +448,18 @@ class Scene {
 // Runs a world in every way, and returns how many contacts happened at the moment of the one before.
 std::uint64_t ties_in_one_history(const World& world, const RunLimits& limits) {
   std::vector<EngineVariant> ways;
-  for (const EngineVariant& variant : support::engine_variants(world)) {
+  for (const EngineVariant& variant : engine_variants(world)) {
     const bool has_kernels = variant.options.engine != EngineKind::paper;
-    for (const InstructionSet set : support::available_instruction_sets()) {
+    for (const InstructionSet set : available_instruction_sets()) {
       if (!has_kernels && set != InstructionSet::portable) continue;
       ways.push_back(variant);
       ways.back().options.instructions = set;
       ways.back().name += ", instruction set " + std::to_string(static_cast<int>(set));
     }
   }
-  if (!support::one_history(world, ways, limits)) return 0;
+  if (!one_history(world, ways, limits)) return 0;
   Simulation simulation(world);
-  const std::vector<Contact> log = support::record(simulation, limits);
+  const std::vector<Contact> log = record(simulation, limits);
   std::uint64_t ties = 0;
   for (std::size_t i = 1; i < log.size(); ++i) ties += log[i].time == log[i - 1].time ? 1U : 0U;
   return ties;
@@ -492,95 +485,97 @@ void add_row(Scene& scene, std::size_t axis, double second, double third, bool i
   }
 }
 
-TEST(Ties, OfNewtonsCradlesSideBySide) {
-  std::uint64_t ties = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(60); ++seed) {
-    SCOPED_TRACE(seed);
-    Scene scene(seed);
-    const bool is_closed = seed % 2 == 0;
-    for (const double second : {2.0, 4.0, 6.0, 9.0}) {
-      add_row(scene, seed % kAxes, second, seed % 4 < 2 ? 5 : second + 1, is_closed);
-    }
-    ties += ties_in_one_history(scene.world(is_closed ? Boundary::wall : Boundary::periodic),
-                                {.until = Time(40), .contacts = 400});
-    if (HasFailure()) return;
-  }
-  EXPECT_GT(ties, 50 * support::cases(60));
+Boundary closed_if(bool is_closed) {
+  return is_closed ? Boundary::wall : Boundary::periodic;
 }
 
-// Rows that cross in the middle of the box.
-TEST(Ties, OfRowsThatCross) {
-  std::uint64_t ties = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(60); ++seed) {
-    SCOPED_TRACE(seed);
-    Scene scene(seed);
-    const bool is_closed = seed % 2 == 0;
-    // One sphere in the middle; the rows begin two places from it on.
-    scene.add({8, 8, 8}, {});
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      for (const double side : {-1.0, 1.0}) {
-        for (double distance = 2; distance < 7; distance += 1) {
-          if (scene.random().uniform() < 0.5) continue;
-          Vec3 place{8, 8, 8};
-          place[axis] += side * distance;
-          Vec3 velocity;
-          velocity[axis] = -side;
-          scene.add(place, velocity);
-        }
+World newtons_cradles_side_by_side(std::uint64_t seed) {
+  Scene scene(seed);
+  const bool is_closed = seed % 2 == 0;
+  for (const double second : {2.0, 4.0, 6.0, 9.0}) {
+    add_row(scene, seed % kAxes, second, seed % 4 < 2 ? 5 : second + 1, is_closed);
+  }
+  return scene.world(closed_if(is_closed));
+}
+
+// They cross in the middle of the box, where one sphere is; the rows begin two places from it on.
+World rows_that_cross(std::uint64_t seed) {
+  Scene scene(seed);
+  scene.add({8, 8, 8}, {});
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      for (double distance = 2; distance < 7; distance += 1) {
+        if (scene.random().uniform() < 0.5) continue;
+        Vec3 place{8, 8, 8};
+        place[axis] += side * distance;
+        Vec3 velocity;
+        velocity[axis] = -side;
+        scene.add(place, velocity);
       }
     }
-    ties += ties_in_one_history(scene.world(is_closed ? Boundary::wall : Boundary::periodic),
-                                {.until = Time(20), .contacts = 200});
-    if (HasFailure()) return;
   }
-  EXPECT_GT(ties, 5 * support::cases(60));
+  return scene.world(closed_if(seed % 2 == 0));
 }
 
 // Pairs that meet on a plane in the middle, return to the walls, and reach both at one moment.
-TEST(Ties, OfMirroredPairsAndWalls) {
-  std::uint64_t ties = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(60); ++seed) {
-    SCOPED_TRACE(seed);
-    Scene scene(seed);
-    for (const double y : {2.0, 5.0, 8.0, 11.0}) {
-      for (const double z : {3.0, 6.0}) {
-        const double distance = 1 + static_cast<double>(below(scene.random(), 4));
-        const double speed = static_cast<double>(1 + below(scene.random(), 2));
-        scene.add({8 - distance, y, z}, {speed, 0, 0});
-        scene.add({8 + distance, y, z}, {-speed, 0, 0});
-      }
+World mirrored_pairs_and_walls(std::uint64_t seed) {
+  Scene scene(seed);
+  for (const double y : {2.0, 5.0, 8.0, 11.0}) {
+    for (const double z : {3.0, 6.0}) {
+      const double distance = 1 + static_cast<double>(below(scene.random(), 4));
+      const double speed = static_cast<double>(1 + below(scene.random(), 2));
+      scene.add({8 - distance, y, z}, {speed, 0, 0});
+      scene.add({8 + distance, y, z}, {-speed, 0, 0});
     }
-    // One that meets nothing but walls, when the pairs do.
-    scene.add({8, 8, 12}, {1, 0, 0});
-    ties += ties_in_one_history(scene.world(Boundary::wall), {.until = Time(64), .contacts = 400});
-    if (HasFailure()) return;
   }
-  EXPECT_GT(ties, 50 * support::cases(60));
+  // One that meets nothing but walls, when the pairs do.
+  scene.add({8, 8, 12}, {1, 0, 0});
+  return scene.world(Boundary::wall);
 }
 
 // Spheres that touch from the start, three and more at once, up to whole layers.
-TEST(Ties, OfThreeSpheresAndMore) {
-  std::uint64_t ties = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(100); ++seed) {
-    SCOPED_TRACE(seed);
-    Scene scene(seed);
-    Random& random = scene.random();
-    for (double x = 4; x < 8; x += 1) {
-      for (double y = 4; y < 8; y += 1) {
-        for (double z = 4; z < 6; z += 1) {
-          if (random.uniform() < 0.3) continue;
-          Vec3 velocity;
-          if (random.uniform() < 0.7) velocity[below(random, kAxes)] = random.uniform() < 0.5 ? -1 : 1;
-          scene.add({x, y, z}, velocity);
-        }
+World three_spheres_and_more(std::uint64_t seed) {
+  Scene scene(seed);
+  Random& random = scene.random();
+  for (double x = 4; x < 8; x += 1) {
+    for (double y = 4; y < 8; y += 1) {
+      for (double z = 4; z < 6; z += 1) {
+        if (random.uniform() < 0.3) continue;
+        Vec3 velocity;
+        if (random.uniform() < 0.7) velocity[below(random, kAxes)] = random.uniform() < 0.5 ? -1 : 1;
+        scene.add({x, y, z}, velocity);
       }
     }
-    ties += ties_in_one_history(scene.world(seed % 2 == 0 ? Boundary::wall : Boundary::periodic),
-                                {.until = Time(30), .contacts = 300});
+  }
+  return scene.world(closed_if(seed % 2 == 0));
+}
+
+struct TieCase {
+  World (*make)(std::uint64_t seed);
+  std::uint64_t worlds;
+  RunLimits limits;
+  std::uint64_t ties;  // at least, in each world on average
+};
+
+class Ties : public testing::TestWithParam<TieCase> {};
+
+TEST_P(Ties, AreBrokenInOneWay) {
+  const auto& [make, worlds, limits, least] = GetParam();
+  std::uint64_t ties = 0;
+  for (std::uint64_t seed = 0; seed < cases(worlds); ++seed) {
+    SCOPED_TRACE(seed);
+    ties += ties_in_one_history(make(seed), limits);
     if (HasFailure()) return;
   }
-  EXPECT_GT(ties, 20 * support::cases(100));
+  EXPECT_GT(ties, least * cases(worlds));
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Ties,
+    testing::Values(TieCase{newtons_cradles_side_by_side, 60, {.until = Time(40), .contacts = 400}, 50},
+                    TieCase{rows_that_cross, 60, {.until = Time(20), .contacts = 200}, 5},
+                    TieCase{mirrored_pairs_and_walls, 60, {.until = Time(64), .contacts = 400}, 50},
+                    TieCase{three_spheres_and_more, 100, {.until = Time(30), .contacts = 300}, 20}));
 
 }  // namespace
 }  // namespace hardball::engines_agree_test

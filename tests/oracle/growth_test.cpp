@@ -16,15 +16,14 @@
 #include "hardball/world/walls.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
+#include "support/pieces.hpp"
 #include "support/random_world.hpp"
 
 namespace hardball::growth_test {
 namespace {
 
 using Long = boost::multiprecision::cpp_bin_float_100;
-using support::EngineVariant;
-using support::History;
-using support::RandomWorld;
+using namespace support;
 
 double infinity() {
   return std::numeric_limits<double>::infinity();
@@ -69,7 +68,7 @@ TEST(GrowingContact, AgreesWithAHundredDigits) {
   Random random(1);
   int contacts = 0;
   int overtaken = 0;
-  for (std::size_t i = 0; i < support::cases(200000); ++i) {
+  for (std::size_t i = 0; i < cases(200000); ++i) {
     const GrowingPair<double> pair = make_pair(random);
     const double found = time_to_touch(pair);
     const Long expected = plain_time_to_touch(pair);
@@ -82,10 +81,10 @@ TEST(GrowingContact, AgreesWithAHundredDigits) {
     // Six units in the last place, for a double that is the square root of a sum.
     ASSERT_LE(abs(Long(found) - expected), Long(6 * 0x1p-53) * expected) << i;
     const GrowingPair<double> exchanged{-pair.separation, -pair.velocity, pair.reach, pair.growth};
-    ASSERT_TRUE(support::same_bits(found, time_to_touch(exchanged)));
+    ASSERT_TRUE(same_bits(found, time_to_touch(exchanged)));
   }
-  EXPECT_GT(contacts, static_cast<int>(support::cases(50000)));
-  EXPECT_GT(overtaken, static_cast<int>(support::cases(500)));
+  EXPECT_GT(contacts, static_cast<int>(cases(50000)));
+  EXPECT_GT(overtaken, static_cast<int>(cases(500)));
 }
 
 constexpr std::uint64_t kWorlds = 1200;
@@ -120,31 +119,9 @@ History with_growth(const Simulation& simulation, History history) {
   return history;
 }
 
-// Runs on in pieces, of a copy, or of what has been saved and loaded.
-History run_in_pieces(Simulation simulation, const RunLimits& limits, Random& random) {
-  RunLimits left = limits;
-  History history;
-  bool is_whole = false;  // whether a piece was all that was left
-  while (!is_whole) {
-    RunLimits piece = left;
-    if (random.uniform() < 0.4) piece.contacts = std::min<std::uint64_t>(left.contacts, random.bits() % 7);
-    if (random.uniform() < 0.3) piece.steps = 1 + random.bits() % 20;
-    const double epoch = simulation.growth()->next();
-    if (random.uniform() < 0.2 && epoch < left.until.high) piece.until = Time(epoch);
-    is_whole = piece.until == left.until && piece.contacts == left.contacts && piece.steps == left.steps;
-    const std::uint64_t before = simulation.counters().contacts();
-    history = support::run_on(simulation, piece);
-    left.contacts -= simulation.counters().contacts() - before;
-    if (random.uniform() < 0.2) simulation = Simulation(simulation);
-    if (random.uniform() < 0.2) simulation = Simulation::load(simulation.save());
-    if (random.uniform() < 0.2) static_cast<void>(simulation.next_contact(left.until.high));
-  }
-  simulation.validate();
-  return with_growth(simulation, std::move(history));
-}
-
 // All pairs, and a fifth of the other ways: each is compared in many worlds.
 std::vector<EngineVariant> variants_for(const World& world, std::uint64_t seed) {
+<<<<<<< HEAD
   std::vector<EngineVariant> all = support::engine_variants(world);
   // In open space nothing ends the growth: in the end, spheres would be in millions of cells of their first
   // size.
@@ -154,8 +131,11 @@ std::vector<EngineVariant> variants_for(const World& world, std::uint64_t seed) 
       return variant.options.engine == EngineKind::cells && variant.options.cell_edge < extent;
     });
   }
+=======
+  std::vector<EngineVariant> all = engine_variants(world);
+>>>>>>> house-tests
   if (world.size() > 1) {
-    for (const EngineVariant& variant : support::divided_variants()) all.push_back(variant);
+    for (const EngineVariant& variant : divided_variants()) all.push_back(variant);
   }
   std::vector<EngineVariant> chosen{all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) {
@@ -169,8 +149,8 @@ class GrowthAgrees : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(GrowthAgrees, OnRandomWorlds) {
   std::uint64_t contacts = 0;
   std::uint64_t epochs = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = support::make_growing_world(seed);
+  for (std::uint64_t seed = GetParam(); seed < cases(kWorlds); seed += kParts) {
+    const RandomWorld made = make_growing_world(seed);
     SCOPED_TRACE(made.name);
     Random random(seed);
     const std::optional<GrowthRules> rules = make_rules(made.world, random);
@@ -186,8 +166,11 @@ TEST_P(GrowthAgrees, OnRandomWorlds) {
                  2;
       }});
       simulation.grow(*rules);
-      if (!is_first && variant.name == variants.back().name) return run_in_pieces(simulation, limits, random);
-      const History history = with_growth(simulation, support::run_on(simulation, limits));
+      if (!is_first && variant.name == variants.back().name) {
+        const auto next_epoch = [](const Simulation& growing) { return growing.growth()->next(); };
+        return with_growth(simulation, run_in_pieces(simulation, limits, random, next_epoch));
+      }
+      const History history = with_growth(simulation, run_on(simulation, limits));
       // What is locked among walls comes to rest where impacts are inelastic.
       const bool is_collapse =
           made.restitution < 1 && history.failure.find("inelastic collapse") != std::string::npos;
@@ -202,13 +185,13 @@ TEST_P(GrowthAgrees, OnRandomWorlds) {
       }
       return history;
     };
-    const std::optional<History> expected = support::one_history(made.world, variants, run, true);
+    const std::optional<History> expected = one_history(made.world, variants, run, true);
     if (!expected) return;
     contacts += expected->contacts;
     epochs += static_cast<std::uint64_t>(expected->more.front());
   }
-  EXPECT_GT(contacts, 30 * support::cases(kWorlds) / kParts);
-  EXPECT_GT(epochs, 5 * support::cases(kWorlds) / kParts);
+  EXPECT_GT(contacts, 30 * cases(kWorlds) / kParts);
+  EXPECT_GT(epochs, 5 * cases(kWorlds) / kParts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, GrowthAgrees, testing::Range(std::uint64_t{0}, kParts));
@@ -217,8 +200,7 @@ INSTANTIATE_TEST_SUITE_P(Part, GrowthAgrees, testing::Range(std::uint64_t{0}, kP
 TEST(Growth, IsReversible) {
   std::uint64_t contacts = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    RandomWorld made =
-        support::make_random_gas(seed, {Boundary::periodic, Boundary::wall, Boundary::periodic}, 30);
+    RandomWorld made = make_random_gas(seed, {Boundary::periodic, Boundary::wall, Boundary::periodic}, 30);
     if (made.world.size() < 5 || made.restitution < 1) continue;
     World start = made.world;
     const double end = 0.05 * made.until;

@@ -6,9 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,8 +29,7 @@
 namespace hardball::hard_cases_for_domains_test {
 namespace {
 
-using support::History;
-using support::kIsSlowBuild;
+using namespace support;
 
 std::string name_of(const Division& division) {
   return to_text(division.domains) + " domains, " + to_text(division.threads) + " threads, halo " +
@@ -63,7 +60,7 @@ Outcome run_through(const World& world, const EngineOptions& options, const RunL
   simulation.set_thermostat(thermostat);
   Outcome outcome;
   if (is_heard) simulation.on_contact([&](const Contact& contact) { outcome.log.push_back(contact); });
-  outcome.history = support::run_on(simulation, limits);
+  outcome.history = run_on(simulation, limits);
   outcome.virial = simulation.tally().virial();
   if (outcome.history.failure.empty()) simulation.validate();
   return outcome;
@@ -80,7 +77,7 @@ History expect_one_history(const World& world, const RunLimits& limits,
     SCOPED_TRACE(name_of(division));
     is_heard = !is_heard;
     const Outcome divided = run_through(world, {.division = division}, limits, thermostat, is_heard);
-    EXPECT_EQ(support::difference(divided.history, expected.history), "");
+    EXPECT_EQ(difference(divided.history, expected.history), "");
     EXPECT_EQ(divided.virial, expected.virial);
     if (!is_heard) continue;
     const auto are_same = [](const Contact& a, const Contact& b) {
@@ -149,7 +146,7 @@ TEST(HardCasesForDomains, NewtonsCradles) {
 TEST(HardCasesForDomains, CrystalsOfWhichOneSphereIsKicked) {
   for (const double spacing : {1.0, 1.0625}) {
     const std::uint64_t most = spacing == 1 ? 20 : 200;
-    World world(support::make_crystal(support::simple_cubic(), 4, spacing));
+    World world(make_crystal(simple_cubic(), 4, spacing));
     Simulation kicked(std::move(world));
     kicked.change_velocity(0, {1, 0, 0});
     kicked.change_velocity(50, {0.5, 0.25, -1});
@@ -251,7 +248,7 @@ TEST(HardCasesForDomains, LatticesWithTheSpacingOfHalos) {
 
 TEST(HardCasesForDomains, Discs) {
   for (const Boundary boundary : {Boundary::wall, Boundary::periodic, Boundary::open}) {
-    const World world = support::make_discs(200, 0.4, 4, boundary);
+    const World world = make_discs(200, 0.4, 4, boundary);
     expect_one_history(world, contacts_each(world, boundary == Boundary::open ? 1 : 4));
   }
 }
@@ -315,7 +312,7 @@ TEST(HardCasesForDomains, SpeciesThatPassThroughEachOther) {
         }
       }
     }
-    const World passing = support::interacting(world, support::passing({{0, 1}, {2, 2}}));
+    const World passing = interacting(world, support::passing({{0, 1}, {2, 2}}));
     expect_one_history(passing, contacts_each(passing, 8));
   }
 }
@@ -326,8 +323,8 @@ TEST(HardCasesForDomains, RoughSpheres) {
   BounceRules rules;
   rules.restitution = ConstantRestitution{0.95};
   rules.tangential_restitution = 0.5;
-  const History history = expect_one_history(
-      support::interacting(world, ResponseTable(Bounce(rules), Bounce(rules))), contacts_each(world, 5));
+  const History history = expect_one_history(interacting(world, ResponseTable(Bounce(rules), Bounce(rules))),
+                                             contacts_each(world, 5));
   EXPECT_TRUE(std::ranges::any_of(history.spins, [](const Vec3& spin) { return !(spin == Vec3{}); }));
 }
 
@@ -397,25 +394,24 @@ TEST(HardCasesForDomains, ContactsThatThrow) {
     EXPECT_NE(message, "");
     EXPECT_EQ(simulation.counters().collision, 4U);
     simulation.remove(5);
-    History history = support::run_on(simulation, {.until = Time(simulation.time()), .contacts = 10});
+    History history = run_on(simulation, {.until = Time(simulation.time()), .contacts = 10});
     history.failure = message;
     return history;
   };
   const History expected = run_to_error({});
   for (const Division& division : divisions()) {
     SCOPED_TRACE(name_of(division));
-    EXPECT_EQ(support::difference(run_to_error({.division = division}), expected), "");
+    EXPECT_EQ(difference(run_to_error({.division = division}), expected), "");
   }
 }
 
 // Windows of many contacts for each sphere fail again and again, until single steps lead on.
 TEST(HardCasesForDomains, WindowsThatAreFarTooLong) {
   for (const double packing_fraction : {0.005, 0.3}) {
-    for (std::uint64_t seed = 0; seed < support::cases(5); ++seed) {
-      const World world =
-          support::make_gas({.count = 150, .packing_fraction = packing_fraction, .seed = seed});
+    for (std::uint64_t seed = 0; seed < cases(5); ++seed) {
+      const World world = make_gas({.count = 150, .packing_fraction = packing_fraction, .seed = seed});
       Simulation reference(world);
-      const History expected = support::run_on(reference, {.contacts = 300});
+      const History expected = run_on(reference, {.contacts = 300});
       DomainsEngine divided(world, PhaseSettings(1.5),
                             {.domains = 6, .halo = 1.05, .window = 3, .first_window = 100}, Time(0));
       ContactSums sums;

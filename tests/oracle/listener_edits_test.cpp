@@ -15,8 +15,7 @@
 namespace hardball::listener_edits_test {
 namespace {
 
-using support::History;
-using support::RandomWorld;
+using namespace support;
 
 constexpr std::uint64_t kWorlds = 800;
 constexpr std::uint64_t kParts = 4;
@@ -91,7 +90,7 @@ class Editor {
 // that.
 History edited_by_listener(Simulation& simulation, Editor& editor, const RunLimits& limits) {
   simulation.on_contact([&](const Contact& contact) { editor.edit(simulation, contact); });
-  return support::run_on(simulation, limits);
+  return run_on(simulation, limits);
 }
 
 History edited_between_runs(Simulation& simulation, Editor& editor, const RunLimits& limits) {
@@ -100,19 +99,19 @@ History edited_between_runs(Simulation& simulation, Editor& editor, const RunLim
   History history;
   for (std::uint64_t done = 0; done < limits.contacts; ++done) {
     last.reset();
-    history = support::run_on(simulation, {.until = limits.until, .contacts = 1});
+    history = run_on(simulation, {.until = limits.until, .contacts = 1});
     if (!last || !history.failure.empty()) break;
     editor.edit(simulation, *last);
   }
-  return support::run_on(simulation, {.until = limits.until, .contacts = 0});
+  return run_on(simulation, {.until = limits.until, .contacts = 0});
 }
 
 class ListenerEdits : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(ListenerEdits, GiveOneHistory) {
   std::uint64_t edits = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = support::make_random_world(seed);
+  for (std::uint64_t seed = GetParam(); seed < cases(kWorlds); seed += kParts) {
+    const RandomWorld made = make_random_world(seed);
     if (made.world.size() == 0) continue;
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = 40 + 20 * (seed % 5)};
@@ -121,7 +120,7 @@ TEST_P(ListenerEdits, GiveOneHistory) {
     Editor editor_of_pieces(made, seed);
     const History expected = edited_between_runs(pieces, editor_of_pieces, limits);
     edits += editor_of_pieces.edits();
-    for (const support::EngineVariant& variant : support::engine_variants(made.world)) {
+    for (const EngineVariant& variant : engine_variants(made.world)) {
       SCOPED_TRACE(variant.name);
       try {
         Simulation simulation(made.world, variant.options);
@@ -141,7 +140,7 @@ TEST_P(ListenerEdits, GiveOneHistory) {
       }
     }
   }
-  EXPECT_GT(edits, 5 * support::cases(kWorlds) / kParts);
+  EXPECT_GT(edits, 5 * cases(kWorlds) / kParts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, ListenerEdits, testing::Range<std::uint64_t>(0, kParts));

@@ -17,8 +17,7 @@
 namespace hardball::metamorphic_test {
 namespace {
 
-using support::History;
-using support::RandomWorld;
+using namespace support;
 
 constexpr std::uint64_t kWorlds = 1500;
 constexpr std::uint64_t kContacts = 150;
@@ -44,11 +43,11 @@ EngineOptions some_options(std::uint64_t seed, const RandomWorld& made) {
 RandomWorld some_world(std::uint64_t seed) {
   switch (seed / 5 % 3) {
     case 0:
-      return seed % 2 == 0 ? support::make_flat_world(seed) : support::make_random_world(seed);
+      return seed % 2 == 0 ? make_flat_world(seed) : make_random_world(seed);
     case 1:
-      return support::make_furnished_world(seed);
+      return make_furnished_world(seed);
     default:
-      return seed % 4 == 0 ? support::make_responsive_flat_world(seed) : support::make_responsive_world(seed);
+      return seed % 4 == 0 ? make_responsive_flat_world(seed) : make_responsive_world(seed);
   }
 }
 
@@ -71,9 +70,9 @@ Rule scaled(const Rule& rule, double length, double speed) {
 
 ResponseTable scaled(const ResponseTable& responses, double length, double speed) {
   ResponseTable table;
-  for (SpeciesId a = 0; a < support::kMaxRandomSpecies; ++a) {
+  for (SpeciesId a = 0; a < kMaxRandomSpecies; ++a) {
     table.set_wall(a, std::get<Bounce>(scaled(Rule(responses.wall(a)), length, speed)));
-    for (SpeciesId b = a; b < support::kMaxRandomSpecies; ++b) {
+    for (SpeciesId b = a; b < kMaxRandomSpecies; ++b) {
       table.set(a, b, scaled(responses.rule(a, b), length, speed));
     }
   }
@@ -138,7 +137,7 @@ bool has_simultaneous_contacts(const std::vector<Contact>& log) {
 
 TEST(Renaming, ChangesNothingButNames) {
   std::uint64_t compared = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(kWorlds); ++seed) {
     const RandomWorld made = some_world(seed);
     SCOPED_TRACE(made.name);
     Random random(seed + 1);
@@ -156,8 +155,8 @@ TEST(Renaming, ChangesNothingButNames) {
     const RunLimits limits{.until = Time(made.until), .contacts = kContacts};
     Simulation original(made.world, some_options(seed, made));
     Simulation other(renamed, some_options(seed, made));
-    const std::vector<Contact> log = support::record(original, limits);
-    const std::vector<Contact> other_log = support::record(other, limits);
+    const std::vector<Contact> log = record(original, limits);
+    const std::vector<Contact> other_log = record(other, limits);
     // Ids decide the order of simultaneous contacts.
     if (has_simultaneous_contacts(log) || has_simultaneous_contacts(other_log)) continue;
     ++compared;
@@ -175,7 +174,7 @@ TEST(Renaming, ChangesNothingButNames) {
       ASSERT_EQ(log[i].after.first, swapped ? after.second : after.first) << "contact " << i;
     }
   }
-  EXPECT_GT(compared, support::cases(kWorlds) / 2);
+  EXPECT_GT(compared, cases(kWorlds) / 2);
 }
 
 // Runs to the limits by detours: in pieces of time, contacts and steps, with queries and copies in between.
@@ -200,7 +199,7 @@ History run_by_detours(Simulation simulation, double until, std::uint64_t contac
         break;
       case 4: {
         Simulation copy(simulation);
-        support::run_on(copy, {.until = Time(until), .contacts = std::min<std::uint64_t>(left, 5)});
+        run_on(copy, {.until = Time(until), .contacts = std::min<std::uint64_t>(left, 5)});
         Simulation another(simulation);
         simulation = std::move(another);
         break;
@@ -213,43 +212,43 @@ History run_by_detours(Simulation simulation, double until, std::uint64_t contac
         break;
       }
     }
-    history = support::run_on(simulation, piece);
+    history = run_on(simulation, piece);
     if (!history.failure.empty() || history.contacts == contacts || history.time >= until) return history;
   }
 }
 
 TEST(Detours, ChangeNothing) {
-  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(kWorlds); ++seed) {
     const RandomWorld made = some_world(seed);
     SCOPED_TRACE(made.name);
     const Simulation start(made.world, some_options(seed, made));
     Simulation straight(start);
-    const History expected = support::run_on(straight, {.until = Time(made.until), .contacts = kContacts});
+    const History expected = run_on(straight, {.until = Time(made.until), .contacts = kContacts});
     Random random(seed);
     const History history = run_by_detours(start, made.until, kContacts, random);
-    ASSERT_EQ(support::difference(expected, history), "");
+    ASSERT_EQ(difference(expected, history), "");
   }
 }
 
 TEST(Copies, ContinueAlikeAndIndependently) {
-  for (std::uint64_t seed = 0; seed < support::cases(kWorlds) / 3; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(kWorlds) / 3; ++seed) {
     const RandomWorld made = some_world(seed);
     SCOPED_TRACE(made.name);
     Simulation original(made.world, some_options(seed, made));
-    if (!support::run_on(original, {.until = Time(made.until), .contacts = 40}).failure.empty()) continue;
+    if (!run_on(original, {.until = Time(made.until), .contacts = 40}).failure.empty()) continue;
     Simulation copy(original);
     Simulation assigned{World()};
     assigned = original;
     const RunLimits rest{.until = Time(2 * made.until), .contacts = 80};
-    const History expected = support::run_on(original, rest);
-    ASSERT_EQ(support::difference(expected, support::run_on(copy, rest)), "");
-    ASSERT_EQ(support::difference(expected, support::run_on(assigned, rest)), "");
+    const History expected = run_on(original, rest);
+    ASSERT_EQ(difference(expected, run_on(copy, rest)), "");
+    ASSERT_EQ(difference(expected, run_on(assigned, rest)), "");
   }
 }
 
 // Scaling length, time and mass by powers of two changes only exponents.
 TEST(Units, ThatArePowersOfTwoChangeOnlyExponents) {
-  for (std::uint64_t seed = 0; seed < support::cases(kWorlds) / 3; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(kWorlds) / 3; ++seed) {
     const RandomWorld made = some_world(seed);
     SCOPED_TRACE(made.name);
     const double length = 0x1p9;
@@ -272,10 +271,9 @@ TEST(Units, ThatArePowersOfTwoChangeOnlyExponents) {
     changed.set_interactions(scaled(made.world.interactions().table(), length, speed));
     Simulation original(made.world, some_options(seed, made));
     Simulation other(changed, some_options(seed, made));
-    const std::vector<Contact> log =
-        support::record(original, {.until = Time(made.until), .contacts = kContacts});
+    const std::vector<Contact> log = record(original, {.until = Time(made.until), .contacts = kContacts});
     const std::vector<Contact> other_log =
-        support::record(other, {.until = Time(made.until * (length / speed)), .contacts = kContacts});
+        record(other, {.until = Time(made.until * (length / speed)), .contacts = kContacts});
     ASSERT_EQ(log.size(), other_log.size());
     for (std::size_t i = 0; i < log.size(); ++i) {
       ASSERT_EQ(log[i].first, other_log[i].first) << "contact " << i;
@@ -308,7 +306,7 @@ History run_with_edits(Simulation& simulation, const RandomWorld& made, std::uin
     const double until = made.until * (piece + 1) / kPieces;
     if (ask) simulation.next_contact(simulation.time() + questions.uniform() * made.until);
     // Pieces end with a contact or between contacts.
-    history = support::run_on(simulation, {.until = Time(until), .contacts = 20});
+    history = run_on(simulation, {.until = Time(until), .contacts = 20});
     if (!history.failure.empty()) return history;
     if (ask) simulation.next_contact(simulation.time() + questions.uniform() * made.until);
     const int edits = 1 + static_cast<int>(below(random, 2));
@@ -339,7 +337,7 @@ History run_with_edits(Simulation& simulation, const RandomWorld& made, std::uin
 }
 
 TEST(Edits, AreTheSameForAllEnginesWithAndWithoutQueries) {
-  for (std::uint64_t seed = 0; seed < support::cases(kWorlds) / 5; ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(kWorlds) / 5; ++seed) {
     const RandomWorld made = some_world(seed);
     SCOPED_TRACE(made.name);
     std::optional<History> expected;
@@ -349,7 +347,7 @@ TEST(Edits, AreTheSameForAllEnginesWithAndWithoutQueries) {
         Simulation simulation(made.world, some_options(engine, made));
         const History history = run_with_edits(simulation, made, seed, ask);
         if (!expected) expected = history;
-        ASSERT_EQ(support::difference(*expected, history), "");
+        ASSERT_EQ(difference(*expected, history), "");
         if (history.failure.empty()) {
           simulation.run({.until = simulation.now(), .steps = 0});
           simulation.validate();
@@ -361,7 +359,7 @@ TEST(Edits, AreTheSameForAllEnginesWithAndWithoutQueries) {
 
 // The engine's cells are rebuilt while a burst expands in open space.
 TEST(Retuning, OfABurstKeepsTheHistory) {
-  const std::uint64_t spheres = support::kIsSlowBuild ? 60 : 200;
+  const std::uint64_t spheres = kIsSlowBuild ? 60 : 200;
   const double side = std::cbrt(static_cast<double>(spheres));
   World world;
   Random random(11);
@@ -374,13 +372,13 @@ TEST(Retuning, OfABurstKeepsTheHistory) {
   EngineOptions plain;
   plain.engine = EngineKind::all_pairs;
   Simulation oracle(world, plain);
-  const History expected = support::run_on(oracle, {.until = Time(100)});
+  const History expected = run_on(oracle, {.until = Time(100)});
   Simulation tuned(world);
   const double edge_at_first = tuned.cell_edge();
-  const History history = support::run_on(tuned, {.until = Time(100)});
+  const History history = run_on(tuned, {.until = Time(100)});
   EXPECT_GT(tuned.cell_edge(), 2 * edge_at_first);
   EXPECT_GT(history.contacts, spheres);
-  EXPECT_EQ(support::difference(expected, history), "");
+  EXPECT_EQ(difference(expected, history), "");
 }
 
 }  // namespace

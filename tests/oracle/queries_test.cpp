@@ -113,22 +113,31 @@ std::optional<NextContact> slow_first_contact(const World& world, Slot slot, con
   return NextContact{first.time.value(), first.kind, id, first.first == id ? first.second : first.first};
 }
 
+// Looks at worlds of so many spheres at least, in the middle of a run.
+template <class Look>
+void in_random_worlds(std::size_t least, Look&& look) {
+  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
+    const RandomWorld made = any_world(seed);
+    if (made.world.size() < least) continue;
+    SCOPED_TRACE(made.name);
+    Random random(seed + 1);
+    Simulation simulation = some_time_later(made, random);
+    look(simulation, made.until, random);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
 TEST(Queries, FirstContactsAreThoseOfAllImages) {
   std::uint64_t found = 0;
   std::uint64_t predicted = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
-    const RandomWorld made = any_world(seed);
-    if (made.world.size() == 0) continue;
-    SCOPED_TRACE(made.name);
-    Random random(seed + 1);
-    const Simulation simulation = some_time_later(made, random);
+  in_random_worlds(1, [&](const Simulation& simulation, double duration, Random& random) {
     const World& world = simulation.world();
     for (int i = 0; i < kQueriesPerWorld; ++i) {
       const auto slot = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
       const SphereId id = world.id(slot);
       const Vec3 velocity = some_velocity(world, simulation.now(), random);
       const double until =
-          simulation.time() + some_duration(world, simulation.now(), velocity, made.until, random);
+          simulation.time() + some_duration(world, simulation.now(), velocity, duration, random);
       const std::optional<NextContact> contact = simulation.first_contact(id, velocity, until);
       World changed = world;
       changed.change_velocity(slot, simulation.now(), velocity);
@@ -139,7 +148,7 @@ TEST(Queries, FirstContactsAreThoseOfAllImages) {
       Simulation copy = simulation;
       copy.change_velocity(id, velocity);
       const std::optional<NextContact> next =
-          copy.next_contact(std::min(until, simulation.time() + made.until));
+          copy.next_contact(std::min(until, simulation.time() + duration));
       if (!next) continue;
       const bool is_about_it =
           next->first == id || (next->kind == EventKind::collision && next->second == id);
@@ -153,25 +162,20 @@ TEST(Queries, FirstContactsAreThoseOfAllImages) {
       ASSERT_EQ(contact->second, next->first == id ? next->second : next->first);
       ++predicted;
     }
-  }
+  });
   EXPECT_GT(found, support::cases(kWorlds));
   EXPECT_GT(predicted, support::cases(kWorlds) / 10);
 }
 
 TEST(Queries, ASphereNotInTheWorldMeetsWhatOneInItsPlaceWould) {
   std::uint64_t found = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
-    const RandomWorld made = any_world(seed);
-    if (made.world.size() < 2) continue;
-    SCOPED_TRACE(made.name);
-    Random random(seed + 1);
-    Simulation simulation = some_time_later(made, random);
+  in_random_worlds(2, [&](Simulation& simulation, double duration, Random& random) {
     const World& world = simulation.world();
     const auto slot = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
     const SphereId id = world.id(slot);
     const Vec3 velocity = some_velocity(world, simulation.now(), random);
     const double until =
-        simulation.time() + some_duration(world, simulation.now(), velocity, made.until, random);
+        simulation.time() + some_duration(world, simulation.now(), velocity, duration, random);
     const Sphere sphere{.position = simulation.position(id),
                         .velocity = velocity,
                         .radius = world.base_radius(slot),
@@ -183,13 +187,13 @@ TEST(Queries, ASphereNotInTheWorldMeetsWhatOneInItsPlaceWould) {
     try {
       world.check(sphere);
     } catch (const Error&) {
-      continue;
+      return;
     }
     const std::optional<NextContact> contact = simulation.first_contact(sphere, until);
     if (expected) expected->first = kNoSphere;
     ASSERT_EQ(contact, expected);
     found += contact ? 1U : 0U;
-  }
+  });
   EXPECT_GT(found, support::cases(kWorlds) / 5);
 }
 
@@ -313,12 +317,7 @@ std::optional<Vec3> some_free_point(const World& world, const Time& now, Random&
 TEST(Queries, RaysHitWhatSimpleEquationsSay) {
   std::uint64_t spheres = 0;
   std::uint64_t walls = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
-    const RandomWorld made = any_world(seed);
-    if (made.world.size() == 0) continue;
-    SCOPED_TRACE(made.name);
-    Random random(seed + 1);
-    const Simulation simulation = some_time_later(made, random);
+  in_random_worlds(1, [&](const Simulation& simulation, double, Random& random) {
     const World& world = simulation.world();
     const Time& now = simulation.now();
     const double extent = extent_of(world, now);
@@ -355,7 +354,7 @@ TEST(Queries, RaysHitWhatSimpleEquationsSay) {
       }
       ++(hit->kind == EventKind::collision ? spheres : walls);
     }
-  }
+  });
   EXPECT_GT(spheres, support::cases(kWorlds) / 2);
   EXPECT_GT(walls, support::cases(kWorlds) / 2);
 }
@@ -403,12 +402,7 @@ double distance_to(const World& world, const Time& now, const Vec3& center, doub
 }
 
 TEST(Queries, ClearancesAreThoseOfTheNearestImage) {
-  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
-    const RandomWorld made = any_world(seed);
-    if (made.world.size() == 0) continue;
-    SCOPED_TRACE(made.name);
-    Random random(seed + 1);
-    const Simulation simulation = some_time_later(made, random);
+  in_random_worlds(1, [&](const Simulation& simulation, double, Random& random) {
     const World& world = simulation.world();
     const Time& now = simulation.now();
     const double tolerance = 1e-9 * extent_of(world, now);
@@ -430,7 +424,7 @@ TEST(Queries, ClearancesAreThoseOfTheNearestImage) {
       ASSERT_NEAR(gap->distance, expected, tolerance);
       ASSERT_NEAR(gap->distance, distance_to(world, now, center, world.base_radius(slot), *gap), tolerance);
     }
-  }
+  });
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 // crossings, mergers, births, deaths and changes of velocities.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,7 +20,7 @@
 namespace hardball::rewind_test {
 namespace {
 
-using support::RandomWorld;
+using namespace support;
 
 constexpr std::uint64_t kWorlds = 320;
 constexpr std::uint64_t kParts = 4;
@@ -162,8 +161,8 @@ std::string difference(const std::vector<Entry>& a, const std::vector<Entry>& b)
   if (a.size() != b.size()) return "lengths";
   for (std::size_t i = 0; i < a.size(); ++i) {
     const bool same = a[i].time == b[i].time && a[i].first == b[i].first && a[i].second == b[i].second &&
-                      support::same_bits(a[i].after.first, b[i].after.first) &&
-                      support::same_bits(a[i].after.second, b[i].after.second);
+                      same_bits(a[i].after.first, b[i].after.first) &&
+                      same_bits(a[i].after.second, b[i].after.second);
     if (!same) return "contact " + to_text(i);
   }
   return "";
@@ -194,8 +193,8 @@ TEST_P(Rewind, RepeatsTheHistory) {
   std::uint64_t rewinds = 0;
   std::uint64_t edits = 0;
   std::uint64_t contacts = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    support::RandomWorldMaker maker(seed);
+  for (std::uint64_t seed = GetParam(); seed < cases(kWorlds); seed += kParts) {
+    RandomWorldMaker maker(seed);
     RandomWorld made = seed / kParts % 2 == 0 ? maker.make() : maker.make_responsive();
     if (seed / kParts % 3 == 0) {
       ResponseTable table = made.world.interactions().table();
@@ -204,7 +203,7 @@ TEST_P(Rewind, RepeatsTheHistory) {
     }
     if (made.world.size() == 0) continue;
     SCOPED_TRACE(made.name);
-    for (const support::EngineVariant& variant : support::engine_variants(made.world)) {
+    for (const EngineVariant& variant : engine_variants(made.world)) {
       SCOPED_TRACE(variant.name);
       try {
         EditedEngine engine(made, variant.options, seed);
@@ -236,9 +235,9 @@ TEST_P(Rewind, RepeatsTheHistory) {
       }
     }
   }
-  EXPECT_GT(rewinds, support::cases(kWorlds) / kParts * 8);
-  EXPECT_GT(edits, support::cases(kWorlds) / kParts * 8);
-  EXPECT_GT(contacts, support::cases(kWorlds) / kParts * 10);
+  EXPECT_GT(rewinds, cases(kWorlds) / kParts * 8);
+  EXPECT_GT(edits, cases(kWorlds) / kParts * 8);
+  EXPECT_GT(contacts, cases(kWorlds) / kParts * 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, Rewind, testing::Range<std::uint64_t>(0, kParts));

@@ -22,8 +22,7 @@
 namespace hardball::saved_test {
 namespace {
 
-using support::History;
-using support::RandomWorld;
+using namespace support;
 
 constexpr std::uint64_t kWorlds = 1000;
 constexpr std::uint64_t kParts = 4;
@@ -100,13 +99,13 @@ class Saved : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(Saved, GoesOnToTheSameHistoryAndMeasures) {
   std::uint64_t saves = 0;
   std::uint64_t contacts = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = support::any_world(seed);
+  for (std::uint64_t seed = GetParam(); seed < cases(kWorlds); seed += kParts) {
+    const RandomWorld made = any_world(seed);
     if (made.world.size() == 0) continue;
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = kMaxContacts, .steps = kMaxSteps};
-    const std::vector<support::EngineVariant> variants = support::engine_variants(made.world);
-    const support::EngineVariant& variant = variants[seed / kParts % variants.size()];
+    const std::vector<EngineVariant> variants = engine_variants(made.world);
+    const EngineVariant& variant = variants[seed / kParts % variants.size()];
     SCOPED_TRACE(variant.name);
     try {
       MeasuredRun undisturbed{Simulation(made.world, variant.options), make_measures(made, seed)};
@@ -134,8 +133,8 @@ TEST_P(Saved, GoesOnToTheSameHistoryAndMeasures) {
       }
       ASSERT_EQ(saved.failure, undisturbed.failure);
       const RunLimits none{.until = undisturbed.simulation.now(), .contacts = 0};
-      const History history = support::run_on(saved.simulation, none);
-      ASSERT_EQ(support::difference(history, support::run_on(undisturbed.simulation, none)), "");
+      const History history = run_on(saved.simulation, none);
+      ASSERT_EQ(difference(history, run_on(undisturbed.simulation, none)), "");
       contacts += history.contacts;
       const Tally& tally = saved.simulation.tally();
       expect_same_bits(tally.compressibility(saved.simulation.now()),
@@ -147,8 +146,8 @@ TEST_P(Saved, GoesOnToTheSameHistoryAndMeasures) {
       if (error.where() != "cell edge") throw;
     }
   }
-  EXPECT_GT(saves, 2 * support::cases(kWorlds) / kParts);
-  EXPECT_GT(contacts, 20 * support::cases(kWorlds) / kParts);
+  EXPECT_GT(saves, 2 * cases(kWorlds) / kParts);
+  EXPECT_GT(contacts, 20 * cases(kWorlds) / kParts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, Saved, testing::Range<std::uint64_t>(0, kParts));

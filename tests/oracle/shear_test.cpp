@@ -7,7 +7,6 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "hardball/numbers/random.hpp"
@@ -21,9 +20,7 @@ namespace hardball::shear_test {
 namespace {
 
 using Long = boost::multiprecision::cpp_bin_float_100;
-using support::EngineVariant;
-using support::History;
-using support::RandomWorld;
+using namespace support;
 
 Long exact(const Time& time) {
   return Long(time.high) + Long(time.low);
@@ -48,7 +45,7 @@ std::array<Long, kAxes> separation(const World& world, Slot a, Slot b, const Ima
 TEST(ShearedContactTime, AgreesWithAHundredDigits) {
   Random random(1);
   std::size_t met = 0;
-  for (std::size_t i = 0; i < support::cases(100000); ++i) {
+  for (std::size_t i = 0; i < cases(100000); ++i) {
     Box box = Box::periodic({10 + random.uniform(), 10 + random.uniform(), 10 + random.uniform()});
     box.set_shear({.rate = std::pow(10, 4 * random.uniform() - 3), .offset = 20 * random.uniform()});
     World world(box);
@@ -86,7 +83,7 @@ TEST(ShearedContactTime, AgreesWithAHundredDigits) {
       ASSERT_LE(abs(distance - 1), rounding) << i << " " << steepness;
     }
   }
-  EXPECT_GT(met, support::cases(1000));
+  EXPECT_GT(met, cases(1000));
 }
 
 constexpr std::uint64_t kWorlds = 3000;
@@ -99,12 +96,12 @@ TEST_P(ShearAgrees, OnRandomWorlds) {
   std::uint64_t across = 0;
   std::uint64_t with_cells = 0;
   std::uint64_t with_lists = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = support::make_sheared_world(seed);
+  for (std::uint64_t seed = GetParam(); seed < cases(kWorlds); seed += kParts) {
+    const RandomWorld made = make_sheared_world(seed);
     SCOPED_TRACE(made.name);
     Random random(seed);
     const RunLimits limits{.until = Time(made.until), .contacts = 100 + 100 * (seed % 5)};
-    const std::vector<EngineVariant> variants = support::engine_variants(made.world);
+    const std::vector<EngineVariant> variants = engine_variants(made.world);
     const auto run = [&](Simulation& simulation, const EngineVariant& variant, bool is_first) {
       if (variant.options.cell_edge && simulation.engine() == EngineKind::cells) ++with_cells;
       if (simulation.engine() == EngineKind::neighbors) ++with_lists;
@@ -114,9 +111,9 @@ TEST_P(ShearAgrees, OnRandomWorlds) {
           EXPECT_EQ(contact.image_speed, contact.image[1] * made.world.box().images().speed());
         });
       } else if (&variant == &variants[1 + seed % (variants.size() - 1)]) {
-        return support::run_in_pieces(simulation, limits, random);
+        return run_in_pieces(simulation, limits, random);
       }
-      const History history = support::validated_run(simulation, limits);
+      const History history = validated_run(simulation, limits);
       const bool may_overlap =
           has_passing_pairs(made.world) || made.world.interactions().table().has_merging();
       if (history.failure.empty() && !may_overlap) {
@@ -124,14 +121,14 @@ TEST_P(ShearAgrees, OnRandomWorlds) {
       }
       return history;
     };
-    const std::optional<History> expected = support::one_history(made.world, variants, run, true);
+    const std::optional<History> expected = one_history(made.world, variants, run, true);
     if (!expected) return;
     contacts += expected->contacts;
   }
-  EXPECT_GT(contacts, 20 * support::cases(kWorlds) / kParts);
-  EXPECT_GT(across, 3 * support::cases(kWorlds) / kParts);
-  EXPECT_GT(with_cells, 2 * support::cases(kWorlds) / kParts);
-  EXPECT_GT(with_lists, support::cases(kWorlds) / kParts);
+  EXPECT_GT(contacts, 20 * cases(kWorlds) / kParts);
+  EXPECT_GT(across, 3 * cases(kWorlds) / kParts);
+  EXPECT_GT(with_cells, 2 * cases(kWorlds) / kParts);
+  EXPECT_GT(with_lists, cases(kWorlds) / kParts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, ShearAgrees, testing::Range(std::uint64_t{0}, kParts));

@@ -23,9 +23,7 @@ namespace hardball::steps_test {
 namespace {
 
 using Long = boost::multiprecision::cpp_bin_float_100;
-using support::EngineVariant;
-using support::History;
-using support::RandomWorld;
+using namespace support;
 
 Long dot(const Vec3& a, const Vec3& b) {
   return Long(a.x) * Long(b.x) + Long(a.y) * Long(b.y) + Long(a.z) * Long(b.z);
@@ -68,7 +66,7 @@ Passage make_passage(Random& random) {
 TEST(ExitTime, AgreesWithAHundredDigits) {
   Random random(1);
   int grazing = 0;
-  for (std::size_t i = 0; i < support::cases(200000); ++i) {
+  for (std::size_t i = 0; i < cases(200000); ++i) {
     const Passage passage = make_passage(random);
     const double found = time_to_exit<double>(passage.separation, passage.velocity, passage.reach);
     const Long expected = plain_time_to_exit(passage);
@@ -82,11 +80,11 @@ TEST(ExitTime, AgreesWithAHundredDigits) {
       const double beyond = std::max(0.0, length(passage.separation) - passage.reach);
       ASSERT_LE(abs(distance - Long(passage.reach)), Long(8 * 0x1p-53 * passage.reach + beyond)) << i;
     }
-    ASSERT_TRUE(support::same_bits(
-        found, time_to_exit<double>(-passage.separation, -passage.velocity, passage.reach)));
+    ASSERT_TRUE(
+        same_bits(found, time_to_exit<double>(-passage.separation, -passage.velocity, passage.reach)));
     grazing += found > 0 && found < 1e-3 * passage.reach / speed ? 1 : 0;
   }
-  EXPECT_GT(grazing, static_cast<int>(support::cases(20000)));
+  EXPECT_GT(grazing, static_cast<int>(cases(20000)));
 }
 
 TEST(ExitTime, OfSpheresAtRestIsNever) {
@@ -141,12 +139,12 @@ TEST_P(StepsAgree, OnRandomWorlds) {
   std::uint64_t contacts = 0;
   std::uint64_t passed = 0;
   std::uint64_t refused = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = support::make_stepped_world(seed);
+  for (std::uint64_t seed = GetParam(); seed < cases(kWorlds); seed += kParts) {
+    const RandomWorld made = make_stepped_world(seed);
     SCOPED_TRACE(made.name);
     Random random(seed);
     const RunLimits limits{.until = Time(2 * made.until), .contacts = 100 + 100 * (seed % 5)};
-    const std::vector<EngineVariant> variants = support::engine_variants(made.world);
+    const std::vector<EngineVariant> variants = engine_variants(made.world);
     const auto run = [&](Simulation& simulation, const EngineVariant& variant, bool is_first) {
       const double before = energy(simulation.world(), simulation.now());
       if (is_first) {
@@ -154,9 +152,9 @@ TEST_P(StepsAgree, OnRandomWorlds) {
           if (contact.step.happens()) ++(contact.step.passes ? passed : refused);
         });
       } else if (&variant == &variants[1 + seed % (variants.size() - 1)]) {
-        return with_steps(simulation, support::run_in_pieces(simulation, limits, random));
+        return with_steps(simulation, run_in_pieces(simulation, limits, random));
       }
-      const History history = with_steps(simulation, support::validated_run(simulation, limits));
+      const History history = with_steps(simulation, validated_run(simulation, limits));
       expect_levels(simulation);
       const std::optional<Restitution> response = made.world.interactions().table().one_for_all();
       if (response && response->coefficient() == 1 && made.world.surfaces().empty() &&
@@ -166,21 +164,21 @@ TEST_P(StepsAgree, OnRandomWorlds) {
       }
       return history;
     };
-    const std::optional<History> expected = support::one_history(made.world, variants, run, true);
+    const std::optional<History> expected = one_history(made.world, variants, run, true);
     if (!expected) return;
     contacts += expected->contacts;
   }
-  EXPECT_GT(contacts, 50 * support::cases(kWorlds) / kParts);
-  EXPECT_GT(passed, 10 * support::cases(kWorlds) / kParts);
-  EXPECT_GT(refused, 10 * support::cases(kWorlds) / kParts);
+  EXPECT_GT(contacts, 50 * cases(kWorlds) / kParts);
+  EXPECT_GT(passed, 10 * cases(kWorlds) / kParts);
+  EXPECT_GT(refused, 10 * cases(kWorlds) / kParts);
 }
 
 // A listener that removes and adds spheres, some of them within steps of others, and changes velocities.
 TEST_P(StepsAgree, WhileSpheresComeAndGo) {
   std::uint64_t removed = 0;
   std::uint64_t added = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds / 4); seed += kParts) {
-    const RandomWorld made = support::make_stepped_world(seed + 50000);
+  for (std::uint64_t seed = GetParam(); seed < cases(kWorlds / 4); seed += kParts) {
+    const RandomWorld made = make_stepped_world(seed + 50000);
     SCOPED_TRACE(made.name);
     const auto run = [&](Simulation& simulation, const EngineVariant&, bool is_first) {
       std::uint64_t contacts = 0;
@@ -205,14 +203,14 @@ TEST_P(StepsAgree, WhileSpheresComeAndGo) {
         }
       });
       const RunLimits limits{.until = Time(made.until), .contacts = 150};
-      const History history = with_steps(simulation, support::validated_run(simulation, limits));
+      const History history = with_steps(simulation, validated_run(simulation, limits));
       expect_levels(simulation);
       return history;
     };
-    if (!support::one_history(made.world, support::engine_variants(made.world), run, true)) return;
+    if (!one_history(made.world, engine_variants(made.world), run, true)) return;
   }
-  EXPECT_GT(removed, support::cases(kWorlds / 4) / kParts);
-  EXPECT_GT(added, support::cases(kWorlds / 4) / kParts);
+  EXPECT_GT(removed, cases(kWorlds / 4) / kParts);
+  EXPECT_GT(added, cases(kWorlds / 4) / kParts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, StepsAgree, testing::Range(std::uint64_t{0}, kParts));

@@ -8,9 +8,7 @@
 #include <array>
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <cmath>
 #include <functional>
-#include <string>
 
 #include "hardball/numbers/random.hpp"
 #include "hardball/surfaces/surface.hpp"

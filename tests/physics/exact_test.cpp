@@ -15,6 +15,8 @@
 namespace hardball::exact_test {
 namespace {
 
+using namespace support;
+
 // Every engine, with cells far smaller than a sphere and cells larger than the box.
 std::vector<EngineOptions> all_ways() {
   std::vector<EngineOptions> ways;
@@ -153,9 +155,9 @@ TEST(OneSphereInABox, BouncesPeriodicallyAlongEachAxisToTheBit) {
 // The motion of hard spheres is reversible. Rounding errors grow in every collision, ten- to a hundredfold at
 // this density and less in denser gases (the error grows by the ratio of free path to radius); after five
 // collisions per sphere there and five back, 1e-16 was observed to become 1e-11 to 1e-8.
-double expect_to_return(const support::Gas& gas) {
+double expect_to_return(const Gas& gas) {
   constexpr double kCollisionsPerSphere = 5;
-  const World world = support::make_gas(gas);
+  const World world = make_gas(gas);
   Simulation simulation(world);
   const auto spheres = static_cast<double>(gas.count);
   simulation.run_contacts(static_cast<std::uint64_t>(kCollisionsPerSphere * spheres / 2));
@@ -177,23 +179,20 @@ double expect_to_return(const support::Gas& gas) {
 }
 
 TEST(ReversedVelocities, BringAPeriodicGasBack) {
-  support::record("farthest_11", expect_to_return({.count = 500, .packing_fraction = 0.1, .seed = 11}));
-  support::record("farthest_12", expect_to_return({.count = 500, .packing_fraction = 0.3, .seed = 12}));
+  record("farthest_11", expect_to_return({.count = 500, .packing_fraction = 0.1, .seed = 11}));
+  record("farthest_12", expect_to_return({.count = 500, .packing_fraction = 0.3, .seed = 12}));
 }
 
 TEST(ReversedVelocities, BringAGasBetweenWallsBack) {
-  support::record(
-      "farthest_13",
-      expect_to_return({.count = 500, .packing_fraction = 0.1, .seed = 13, .boundary = Boundary::wall}));
-  support::record(
-      "farthest_14",
-      expect_to_return({.count = 500, .packing_fraction = 0.3, .seed = 14, .boundary = Boundary::wall}));
+  record("farthest_13",
+         expect_to_return({.count = 500, .packing_fraction = 0.1, .seed = 13, .boundary = Boundary::wall}));
+  record("farthest_14",
+         expect_to_return({.count = 500, .packing_fraction = 0.3, .seed = 14, .boundary = Boundary::wall}));
 }
 
 TEST(ReversedVelocities, BringACrystalBack) {
-  support::record(
-      "farthest_15",
-      expect_to_return({.count = 500, .packing_fraction = 0.6, .seed = 15, .start = support::Start::fcc}));
+  record("farthest_15",
+         expect_to_return({.count = 500, .packing_fraction = 0.6, .seed = 15, .start = Start::fcc}));
 }
 
 // A row of two species, where like meets like with a restitution of one half, and unlike elastically.

@@ -21,21 +21,19 @@
 namespace hardball::steps_test {
 namespace {
 
-using support::quantity;
+using namespace support;
 
 constexpr double kPi = std::numbers::pi;
 
 World with_potential(World world, const StepRules& rules) {
-  return support::interacting(std::move(world), support::stepping(rules));
+  return interacting(std::move(world), stepping(rules));
 }
 
 // Spheres with diameter and mass one, at kT = 1 at first.
 World fluid(std::size_t count, double density, const StepRules& rules) {
-  return with_potential(support::make_gas({.count = count,
-                                           .packing_fraction = density * kPi / 6,
-                                           .seed = 5,
-                                           .start = support::Start::random}),
-                        rules);
+  return with_potential(
+      make_gas({.count = count, .packing_fraction = density * kPi / 6, .seed = 5, .start = Start::random}),
+      rules);
 }
 
 // How often spheres have come to a step, and what became of it.
@@ -169,7 +167,7 @@ TEST(Steps, AreReversible) {
 
 // Exact at every density.
 TEST(Steps, AreClimbedByTheFractionThatHasTheEnergy) {
-  const std::uint64_t contacts = support::cases(1'000'000);
+  const std::uint64_t contacts = cases(1'000'000);
   for (const double density : {0.05, 0.4}) {
     const Equilibrium well = equilibrium_of(fluid(500, density, {.steps = {{1.5, -1}}}), contacts);
     EXPECT_NEAR(ratio(well.counts.passed_in, well.counts.came_in), 1, 0);
@@ -193,21 +191,21 @@ TEST(Steps, GiveTheDiluteGasItsSecondVirialCoefficient) {
   const std::size_t spheres = 864;
   const double volume_ratio = range * range * range - 1;
   const World start = fluid(spheres, density, {.steps = {{range, -epsilon}}});
-  const Equilibrium found = equilibrium_of(start, support::cases(2'000'000));
+  const Equilibrium found = equilibrium_of(start, cases(2'000'000));
   const double boltzmann = std::exp(epsilon / found.temperature);
   const double energy = -2 * kPi / 3 * density * epsilon * volume_ratio * boltzmann;
   const double root = 4 * std::sqrt(kPi) * density * std::sqrt(found.temperature);
   const double per_sphere = 2 / found.duration / static_cast<double>(spheres);
   // Of second order in the density are some 2%.
-  const double tolerance = support::kIsSlowBuild ? 0.08 : 0.03;
+  const double tolerance = kIsSlowBuild ? 0.08 : 0.03;
   EXPECT_NEAR(found.energy_per_sphere / energy, 1, tolerance);
   EXPECT_NEAR(static_cast<double>(found.counts.cores) * per_sphere / (root * boltzmann), 1, tolerance);
   EXPECT_NEAR(static_cast<double>(found.counts.came_in) * per_sphere / (root * range * range), 1, tolerance);
   Simulation simulation(start);
-  simulation.run_contacts(support::cases(2'000'000));
+  simulation.run_contacts(cases(2'000'000));
   const double virial = 2 * kPi / 3 * (1 - volume_ratio * (boltzmann - 1));
   EXPECT_NEAR(simulation.tally().compressibility(simulation.now()), 1 + virial * density,
-              support::kIsSlowBuild ? 0.015 : 0.005);
+              kIsSlowBuild ? 0.015 : 0.005);
 }
 
 // A reference state: 864 spheres at a density of .0382 and kT = 2.005, in units of the depth of their wells.
@@ -215,10 +213,10 @@ TEST(Steps, GiveADiluteGasOfWellsItsEnergyAndRates) {
   const std::size_t spheres = 864;
   const double depth = 1 / 1.93;  // falling into wells heats the gas
   const Equilibrium found =
-      equilibrium_of(fluid(spheres, 0.0382, {.steps = {{1.5, -depth}}}), support::cases(2'000'000));
+      equilibrium_of(fluid(spheres, 0.0382, {.steps = {{1.5, -depth}}}), cases(2'000'000));
   EXPECT_NEAR(found.temperature / depth, 2.005, 0.02);
   const double per_sphere = 2 / found.duration / static_cast<double>(spheres) / std::sqrt(depth);
-  const double tolerance = support::kIsSlowBuild ? 0.05 : 0.02;
+  const double tolerance = kIsSlowBuild ? 0.05 : 0.02;
   EXPECT_NEAR(found.energy_per_sphere / depth, -0.307, 0.307 * tolerance);
   EXPECT_NEAR(static_cast<double>(found.counts.cores) * per_sphere, 0.630, 0.630 * tolerance);
   EXPECT_NEAR(static_cast<double>(found.counts.came_in) * per_sphere, 0.844, 0.844 * tolerance);
@@ -241,14 +239,14 @@ TEST(Steps, OfNarrowWellsMakeSpheresStick) {
     const double range = 1.01;
     const double depth = 3.5;
     const World start = fluid(500, packing_fraction * 6 / kPi, {.steps = {{range, -depth}}});
-    const Equilibrium found = equilibrium_of(start, support::cases(4'000'000));
+    const Equilibrium found = equilibrium_of(start, cases(4'000'000));
     const double boltzmann = std::exp(depth / found.temperature);
     const double stickiness = 4 * (range * range * range - 1) * (boltzmann - 1);
     const double within = -2 * found.energy_per_sphere / depth;
     EXPECT_GT(stickiness, 0.5);
     // The approximation and the width of the well are good to a percent each.
     EXPECT_NEAR(within * (1 - 1 / boltzmann) / sticking(stickiness, packing_fraction), 1,
-                support::kIsSlowBuild ? 0.1 : 0.03)
+                kIsSlowBuild ? 0.1 : 0.03)
         << stickiness;
   }
 }
@@ -279,10 +277,10 @@ TEST(Tethers, HoldForManyEvents) {
       longest = std::max(longest, distance);
     }
   });
-  simulation.run_contacts(support::cases(10'000'000));
+  simulation.run_contacts(cases(10'000'000));
   EXPECT_NEAR(shortest, 0.9, 1e-12);
   EXPECT_NEAR(longest, 1.2, 1e-12);
-  EXPECT_GT(simulation.tally().steps_refused(), support::cases(10'000'000) / 10);
+  EXPECT_GT(simulation.tally().steps_refused(), cases(10'000'000) / 10);
   EXPECT_EQ(simulation.tally().steps_passed(), 0U);
   EXPECT_NEAR(hardball::energy(simulation.world(), simulation.now()), energy, 1e-12 * energy * 10);
 }
@@ -308,7 +306,7 @@ TEST(Tethers, HoldWhatTurnsAtTheirEnd) {
 TEST(StepsMeasured, AreThoseOfTheEvents) {
   const double density = 0.3;
   Simulation simulation(fluid(500, density, {.steps = {{1.5, -1}}}));
-  simulation.run_contacts(support::cases(200'000));
+  simulation.run_contacts(cases(200'000));
   Measures measures({.names = {"steps", "radial_distribution", "collision_rate", "viscosity"}});
   Counts counts;
   const double begin = simulation.time();
@@ -316,34 +314,25 @@ TEST(StepsMeasured, AreThoseOfTheEvents) {
     simulation.run({.until = kNever, .contacts = contacts}, measures);
   };
   simulation.on_contact([&](const Contact& contact) { counts.note(contact); });
-  run(support::cases(2'000'000));
+  run(cases(2'000'000));
   const double per_sphere = 2 / (simulation.time() - begin) / 500;
   const std::vector<Measurement> results = measures.results(simulation.world(), simulation.now());
-  const Measurement* steps = nullptr;
-  const Measurement* structure = nullptr;
-  const Measurement* rate = nullptr;
-  const Measurement* viscosity = nullptr;
-  for (const Measurement& each : results) {
-    if (each.name == "steps") steps = &each;
-    if (each.name == "radial_distribution") structure = &each;
-    if (each.name == "collision_rate") rate = &each;
-    if (each.name == "viscosity") viscosity = &each;
-  }
-  ASSERT_TRUE(steps && structure && rate && viscosity);
+  const Measurement& steps = named(results, "steps");
+  const Measurement& structure = named(results, "radial_distribution");
   // A transient may have been left out.
-  EXPECT_NEAR(quantity(*steps, "rate_inward").value, static_cast<double>(counts.came_in) * per_sphere,
+  EXPECT_NEAR(quantity(steps, "rate_inward").value, static_cast<double>(counts.came_in) * per_sphere,
               0.05 * static_cast<double>(counts.came_in) * per_sphere);
-  const Quantity& passed = quantity(*steps, "passed_outward");
+  const Quantity& passed = quantity(steps, "passed_outward");
   EXPECT_NEAR(passed.value, passed.theory, 4 * passed.error + passed.tolerance);
   EXPECT_GT(passed.error, 0);
-  EXPECT_FALSE(support::has_quantity(*steps, "passed_inward")) << "a way down is no climb";
+  EXPECT_FALSE(has_quantity(steps, "passed_inward")) << "a way down is no climb";
   // The function jumps by exp(-dU/kT).
-  const double outside = quantity(*steps, "g_outside").value;
-  const double inside = quantity(*steps, "g_inside").value;
+  const double outside = quantity(steps, "g_outside").value;
+  const double inside = quantity(steps, "g_inside").value;
   EXPECT_NEAR(outside / inside, passed.theory, 0.05 * passed.theory);
   // What is counted in the bins on both sides.
-  const Column& distance = support::column(*structure, "distance");
-  const Column& g = support::column(*structure, "g");
+  const Column& distance = column(structure, "distance");
+  const Column& g = column(structure, "g");
   for (std::size_t bin = 0; bin < distance.values.size(); ++bin) {
     if (std::fabs(distance.values[bin] - 1.47) < 0.011) {
       EXPECT_NEAR(g.values[bin] / inside, 1, 0.06);
@@ -352,15 +341,17 @@ TEST(StepsMeasured, AreThoseOfTheEvents) {
       EXPECT_NEAR(g.values[bin] / outside, 1, 0.06);
     }
   }
-  const Quantity& capacity = quantity(*steps, "heat_capacity");
+  const Quantity& capacity = quantity(steps, "heat_capacity");
   // From the energies and temperatures of two runs with velocities smaller and larger by a tenth: 2.21.
   EXPECT_NEAR(capacity.value, 2.21, 4 * capacity.error);
-  EXPECT_LT(capacity.error, support::kIsSlowBuild ? 1 : 0.2);
-  EXPECT_NEAR(quantity(*rate, "collision_rate").value, static_cast<double>(counts.cores) * per_sphere,
+  EXPECT_LT(capacity.error, kIsSlowBuild ? 1 : 0.2);
+  EXPECT_NEAR(quantity(named(results, "collision_rate"), "collision_rate").value,
+              static_cast<double>(counts.cores) * per_sphere,
               0.05 * static_cast<double>(counts.cores) * per_sphere)
       << "of cores alone";
-  EXPECT_TRUE(std::isnan(quantity(*rate, "collision_rate").theory));
-  EXPECT_EQ(quantity(*viscosity, "viscosity").reason, "transport is measured without potentials of steps");
+  EXPECT_TRUE(std::isnan(quantity(named(results, "collision_rate"), "collision_rate").theory));
+  EXPECT_EQ(quantity(named(results, "viscosity"), "viscosity").reason,
+            "transport is measured without potentials of steps");
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"

@@ -23,16 +23,9 @@
 namespace hardball::discs_test {
 namespace {
 
-using support::quantity;
+using namespace support;
 
 constexpr double kPi = std::numbers::pi;
-
-Measurement named(const std::vector<Measurement>& all, const std::string& name) {
-  for (const Measurement& found : all) {
-    if (found.name == name) return found;
-  }
-  throw std::out_of_range("no measure " + name);
-}
 
 // A published Z of the fluid at a density n sigma^2. Source: Kolafa and Rottner, Mol. Phys. 104 (2006) 3435,
 // table 1, molecular dynamics.

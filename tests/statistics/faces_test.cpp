@@ -16,6 +16,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/totals.hpp"
 #include "support/interacting.hpp"
+#include "support/measurement.hpp"
 
 namespace hardball::faces_test {
 namespace {
@@ -44,20 +45,11 @@ struct Measured {
   std::vector<Measurement> results;
 
   const Quantity& quantity(const std::string& name) const {
-    for (const Measurement& result : results) {
-      for (const Quantity& each : result.quantities) {
-        if (each.name == name) return each;
-      }
-    }
-    throw Error("there is no quantity " + name, "test", "see what is measured");
+    const auto has_it = [&](const Measurement& result) { return support::has_quantity(result, name); };
+    return support::quantity(*std::ranges::find_if(results, has_it), name);
   }
   const std::vector<double>& column(const std::string& name) const {
-    for (const Measurement& result : results) {
-      for (const Column& each : result.columns) {
-        if (each.name == name) return each.values;
-      }
-    }
-    throw Error("there is no column " + name, "test", "see what is measured");
+    return support::values(support::named(results, "flow_profiles"), name);
   }
 };
 

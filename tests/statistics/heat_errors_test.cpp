@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "hardball/measure/measures.hpp"
 #include "hardball/numbers/random.hpp"

@@ -19,27 +19,18 @@
 namespace hardball::measures_test {
 namespace {
 
-using support::column;
-using support::quantity;
+using namespace support;
 
 // One run measured from its start: `contacts` contacts of a gas in equilibrium.
-std::vector<Measurement> measured(const support::Gas& gas, const MeasureSettings& settings,
-                                  std::uint64_t contacts) {
-  Simulation simulation(support::settled(support::make_gas(gas), 40));
+std::vector<Measurement> measured(const Gas& gas, const MeasureSettings& settings, std::uint64_t contacts) {
+  Simulation simulation(settled(make_gas(gas), 40));
   Measures measures(settings);
   simulation.run({.contacts = contacts}, measures);
   return measures.results(simulation.world(), simulation.now());
 }
 
-const Measurement& named(const std::vector<Measurement>& all, const std::string& name) {
-  for (const Measurement& found : all) {
-    if (found.name == name) return found;
-  }
-  throw std::out_of_range("no measure " + name);
-}
-
 // Tolerances as derived in fluid_test.cpp.
-void expect_fluid(double packing_fraction, std::size_t count, support::Start start) {
+void expect_fluid(double packing_fraction, std::size_t count, Start start) {
   constexpr double kContacts = 300000;
   const std::vector<Measurement> all =
       measured({.count = count, .packing_fraction = packing_fraction, .seed = 51, .start = start},
@@ -47,8 +38,8 @@ void expect_fluid(double packing_fraction, std::size_t count, support::Start sta
   const double statistical = 4 / std::sqrt(kContacts);
   const Quantity& z = quantity(named(all, "pressure"), "compressibility");
   const auto n = static_cast<double>(count);
-  const double excess = support::fluid_compressibility(packing_fraction) - 1;
-  support::record("compressibility", z.value);
+  const double excess = fluid_compressibility(packing_fraction) - 1;
+  record("compressibility", z.value);
   EXPECT_NEAR((z.value - 1) / excess, 1, statistical + 1e-3);
   EXPECT_NEAR(z.theory - 1, excess, excess / n);
   // The error is known to within 10 or 20%, and five of them are allowed.
@@ -74,20 +65,20 @@ void expect_fluid(double packing_fraction, std::size_t count, support::Start sta
     const double seen = density[i] * (at[1] - at[0]) * kContacts;
     chi_squared += (seen - mean) * (seen - mean) / mean;
   }
-  support::record("chi_squared", chi_squared);
+  record("chi_squared", chi_squared);
   EXPECT_LT(chi_squared, 170);
   const Quantity& kurtosis = quantity(named(all, "velocity_distribution"), "speed_kurtosis");
-  support::record("kurtosis", kurtosis.value);
+  record("kurtosis", kurtosis.value);
   EXPECT_LT(std::fabs(kurtosis.value - kurtosis.theory), 5 * kurtosis.error);
   EXPECT_LT(kurtosis.error, 0.01 * kurtosis.theory);
 }
 
 TEST(MeasuredFluid, AgreesWithTheoryAtPackingFraction20) {
-  expect_fluid(0.2, 2000, support::Start::random);
+  expect_fluid(0.2, 2000, Start::random);
 }
 
 TEST(MeasuredFluid, AgreesWithTheoryAtPackingFraction40) {
-  expect_fluid(0.4, 13 * 13 * 13, support::Start::simple_cubic);
+  expect_fluid(0.4, 13 * 13 * 13, Start::simple_cubic);
 }
 
 // Speedy's fit is to runs of about as many spheres; it differs from the literature by 6%.
@@ -97,7 +88,7 @@ TEST(MeasuredFluid, DiffusesAsSpeedyFound) {
                {.names = {"mean_square_displacement", "velocity_autocorrelation"}, .every = 0.0625}, 300000);
   for (const Measurement& found : all) {
     const Quantity& diffusion = quantity(found, "diffusion_constant");
-    support::record(found.name, diffusion.value / diffusion.theory);
+    record(found.name, diffusion.value / diffusion.theory);
     EXPECT_NEAR(diffusion.value / diffusion.theory, 1, 0.06) << found.name;
     EXPECT_LT(diffusion.error, 0.03 * diffusion.theory) << found.name;
   }
@@ -112,7 +103,7 @@ TEST(MeasuredFluid, DiffusesAsSpeedyFound) {
 
 // Equal speeds have a kurtosis of 1; it approaches 5/3 within some four collisions of each sphere.
 TEST(MeasuredRelaxation, IsLeftOutOfMeans) {
-  World world = support::make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 54});
+  World world = make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 54});
   Random random(55);
   Vec3 velocity;
   World start(world.box());
@@ -128,11 +119,11 @@ TEST(MeasuredRelaxation, IsLeftOutOfMeans) {
   const Measurement found = measures.results(simulation.world(), simulation.now()).front();
   EXPECT_EQ(found.duration, kLong);
   EXPECT_TRUE(found.is_transient_over);
-  support::record("transient", found.transient);
+  record("transient", found.transient);
   EXPECT_GE(found.transient, 1);
   EXPECT_LE(found.transient, kLong / 2);
   const Quantity& kurtosis = quantity(found, "speed_kurtosis");
-  support::record("deviation", (kurtosis.value - kurtosis.theory) / kurtosis.error);
+  record("deviation", (kurtosis.value - kurtosis.theory) / kurtosis.error);
   EXPECT_LT(std::fabs(kurtosis.value - kurtosis.theory), 3 * kurtosis.error);
   EXPECT_LT(kurtosis.error, 0.02 * kurtosis.theory);
 }
@@ -140,9 +131,8 @@ TEST(MeasuredRelaxation, IsLeftOutOfMeans) {
 // The temperature of a cooling gas has no error, but its velocities in units of the current temperature
 // become stationary.
 TEST(MeasuredCooling, HasNoStandardErrorOfATemperature) {
-  const World start =
-      support::settled(support::make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 56}), 5);
-  Simulation simulation(support::interacting(start, Restitution(0.9)));
+  const World start = settled(make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 56}), 5);
+  Simulation simulation(interacting(start, Restitution(0.9)));
   Measures measures({.names = {"temperature", "collision_rate", "velocity_distribution"}, .every = 0.5});
   simulation.run_until(30, measures);
   const std::vector<Measurement> all = measures.results(simulation.world(), simulation.now());
@@ -156,19 +146,19 @@ TEST(MeasuredCooling, HasNoStandardErrorOfATemperature) {
 // The sum rule of wall_pressure and virial; its bound is derived in virial_test.cpp.
 TEST(MeasuredWalls, BearThePressureOfTheInterior) {
   constexpr std::size_t kSpheres = 300;
-  const support::Gas gas{.count = kSpheres, .packing_fraction = 0.25, .seed = 53, .boundary = Boundary::wall};
-  Simulation simulation(support::make_gas(gas));
+  const Gas gas{.count = kSpheres, .packing_fraction = 0.25, .seed = 53, .boundary = Boundary::wall};
+  Simulation simulation(make_gas(gas));
   Measures measures({.names = {"pressure"}});
   simulation.run({.contacts = 300000}, measures);
   const Measurement found = measures.results(simulation.world(), simulation.now()).front();
   const Quantity& z = quantity(found, "compressibility_from_walls");
-  const double half = simulation.world().box().size().x / 2 - support::kDiameter / 2;
+  const double half = simulation.world().box().size().x / 2 - kDiameter / 2;
   const double twice_energy = 3.0 * kSpheres;
   const double bound = 4 * std::sqrt(2 * kSpheres * half * half) / simulation.time() / twice_energy;
   EXPECT_LT(bound, 3e-3);
   // Opposite faces bear the same force up to the momentum inside at the start and end of the run, which
   // counts by half the length of the box.
-  support::record("sum_rule_error", z.value - z.theory);
+  record("sum_rule_error", z.value - z.theory);
   EXPECT_NEAR(z.value, z.theory, 2 * bound);
   for (const char* face : {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"}) {
     const Quantity& pressure = quantity(found, std::string("wall_pressure_") + face);

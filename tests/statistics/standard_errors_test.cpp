@@ -23,6 +23,8 @@
 namespace hardball::standard_errors_test {
 namespace {
 
+using namespace support;
+
 constexpr std::size_t kRuns = 200;
 
 World mixture(std::uint64_t seed) {
@@ -31,7 +33,7 @@ World mixture(std::uint64_t seed) {
   constexpr double kLargeDiameter = 2;
   constexpr double kPacking = 0.2;
   Random random(seed);
-  std::vector<double> radii(kSmall, support::kDiameter / 2);
+  std::vector<double> radii(kSmall, kDiameter / 2);
   std::vector<double> masses(kSmall, 1);
   radii.resize(kSmall + kLarge, kLargeDiameter / 2);
   masses.resize(kSmall + kLarge, kLargeDiameter * kLargeDiameter * kLargeDiameter);
@@ -39,7 +41,7 @@ World mixture(std::uint64_t seed) {
   const double edge = std::cbrt(worth * std::numbers::pi / 6 / kPacking);
   const Box box = Box::periodic({edge, edge, edge});
   const std::vector<Vec3> centers = place_randomly(box, {{}, box.size()}, radii, random, "mixture");
-  const std::vector<Vec3> velocities = support::thermal_velocities(masses, random);
+  const std::vector<Vec3> velocities = thermal_velocities(masses, random);
   World world(box);
   for (std::size_t i = 0; i < radii.size(); ++i) world.add({centers[i], velocities[i], radii[i], masses[i]});
   return world;
@@ -54,24 +56,18 @@ struct State {
 const std::vector<State>& states() {
   static const std::vector<State> kStates{
       {"dilute",
-       [](std::uint64_t seed) {
-         return support::make_gas({.count = 100, .packing_fraction = 0.02, .seed = seed});
-       }},
+       [](std::uint64_t seed) { return make_gas({.count = 100, .packing_fraction = 0.02, .seed = seed}); }},
       {"dense",
        [](std::uint64_t seed) {
-         return support::make_gas(
-             {.count = 125, .packing_fraction = 0.4, .seed = seed, .start = support::Start::simple_cubic});
+         return make_gas({.count = 125, .packing_fraction = 0.4, .seed = seed, .start = Start::simple_cubic});
        }},
       {"walls",
        [](std::uint64_t seed) {
-         return support::make_gas(
-             {.count = 100, .packing_fraction = 0.2, .seed = seed, .boundary = Boundary::wall});
+         return make_gas({.count = 100, .packing_fraction = 0.2, .seed = seed, .boundary = Boundary::wall});
        }},
       {"mixture", mixture},
       {"cooling",
-       [](std::uint64_t seed) {
-         return support::make_gas({.count = 100, .packing_fraction = 0.1, .seed = seed});
-       },
+       [](std::uint64_t seed) { return make_gas({.count = 100, .packing_fraction = 0.1, .seed = seed}); },
        0.9},
   };
   return kStates;
@@ -106,8 +102,7 @@ void note(std::vector<Found>& bins, std::size_t bin, double value, double error)
 Findings findings(const State& state, const Length& length) {
   Findings found;
   for (std::size_t run = 0; run < kRuns; ++run) {
-    Simulation simulation(
-        support::interacting(support::settled(state.start(1000 + run), 15), Restitution(state.restitution)));
+    Simulation simulation(interacting(settled(state.start(1000 + run), 15), Restitution(state.restitution)));
     const double free_time = mean_free_time(Scene(simulation.world(), simulation.now()).statistics());
     Measures measures({.every = length.between_samples * free_time});
     simulation.run_until(length.run * free_time, measures);
@@ -201,14 +196,14 @@ void expect_honest(const Length& length) {
     }
   }
   for (const auto& [measure, mean] : of_measure) {
-    support::record(measure, mean.value());
+    record(measure, mean.value());
     EXPECT_LT(mean.value(), kMaxOfMeasure) << measure;
     if (is_conservative(measure)) continue;
     EXPECT_GT(mean.value(), kLeastOfMeasure) << measure;
     of_all.sum += mean.value();
     ++of_all.count;
   }
-  support::record("all", of_all.value());
+  record("all", of_all.value());
   EXPECT_GT(of_all.value(), 0.03);
   EXPECT_LT(of_all.value(), 0.07);
 }

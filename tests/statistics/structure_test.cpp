@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "hardball/measure/neighbors.hpp"
@@ -21,6 +20,8 @@
 
 namespace hardball::structure_test {
 namespace {
+
+using namespace support;
 
 // Calls sample(scene) so many times, with so many collisions per sphere on average between two.
 template <class Sample>
@@ -38,25 +39,24 @@ void watch(Simulation& simulation, int samples, double collisions_per_sphere, co
 TEST(RadialDistribution, HasTheContactValueOfThePressure) {
   constexpr double kPacking = 0.3;
   constexpr std::size_t kSpheres = 2000;
-  Simulation simulation(
-      support::settled(support::make_gas({.count = kSpheres, .packing_fraction = kPacking, .seed = 61}), 40));
+  Simulation simulation(settled(make_gas({.count = kSpheres, .packing_fraction = kPacking, .seed = 61}), 40));
   RadialDistribution measure({simulation.world(), simulation.now()});
   watch(simulation, 300, 1, [&](const Scene& scene) { measure.sample(scene); });
   const Measurement found = measure.result({simulation.world(), simulation.now()});
-  const Quantity& contact = support::quantity(found, "contact_value");
+  const Quantity& contact = quantity(found, "contact_value");
   const double from_pressure = (simulation.tally().compressibility(simulation.now()) - 1) / (4 * kPacking);
-  const double expected = (support::fluid_compressibility(kPacking) - 1) / (4 * kPacking);
-  support::record("contact_value", contact.value);
-  support::record("error", contact.error);
-  support::record("from_pressure", from_pressure);
+  const double expected = (fluid_compressibility(kPacking) - 1) / (4 * kPacking);
+  record("contact_value", contact.value);
+  record("error", contact.error);
+  record("from_pressure", from_pressure);
   EXPECT_NEAR(contact.theory, expected, expected / kSpheres);
   EXPECT_LT(contact.error, 0.01 * expected);
   const double bias = (1e-3 + 1.0 / kSpheres) * expected;
   EXPECT_NEAR(contact.value, from_pressure, 4 * contact.error + bias);
   EXPECT_NEAR(contact.value, expected, 4 * contact.error + bias);
   // Farther than four diameters away the fluid has forgotten the sphere, but for a few parts in 1000.
-  const std::vector<double>& distance = support::column(found, "distance").values;
-  const std::vector<double>& g = support::column(found, "g").values;
+  const std::vector<double>& distance = column(found, "distance").values;
+  const std::vector<double>& g = column(found, "g").values;
   double far = 0;
   double bins = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
@@ -71,14 +71,13 @@ TEST(RadialDistribution, HasTheContactValueOfThePressure) {
 // At a packing fraction of 0.2 Percus and Yevick are low by 1.6% at the longest wavelengths, as the
 // compressibility shows, and closer elsewhere.
 TEST(StructureFactor, AgreesWithPercusAndYevickAtPackingFraction20) {
-  Simulation simulation(
-      support::settled(support::make_gas({.count = 2000, .packing_fraction = 0.2, .seed = 62}), 20));
+  Simulation simulation(settled(make_gas({.count = 2000, .packing_fraction = 0.2, .seed = 62}), 20));
   StructureFactor measure({simulation.world(), simulation.now()});
   watch(simulation, 320, 2, [&](const Scene& scene) { measure.sample(scene); });
   const Measurement found = measure.result({simulation.world(), simulation.now()});
-  const std::vector<double>& value = support::column(found, "structure_factor").values;
-  const std::vector<double>& error = support::column(found, "structure_factor_error").values;
-  const std::vector<double>& theory = support::column(found, "structure_factor_theory").values;
+  const std::vector<double>& value = column(found, "structure_factor").values;
+  const std::vector<double>& error = column(found, "structure_factor_error").values;
+  const std::vector<double>& theory = column(found, "structure_factor_theory").values;
   ASSERT_GT(value.size(), 55U);
   double mean = 0;
   double variance = 0;
@@ -89,8 +88,8 @@ TEST(StructureFactor, AgreesWithPercusAndYevickAtPackingFraction20) {
   }
   mean /= static_cast<double>(value.size());
   const double mean_error = std::sqrt(variance) / static_cast<double>(value.size());
-  support::record("mean_deviation", mean);
-  support::record("error", mean_error);
+  record("mean_deviation", mean);
+  record("error", mean_error);
   EXPECT_LT(mean_error, 0.005);
   EXPECT_NEAR(mean, 0, 4 * mean_error + 0.005);
   EXPECT_LT(value.front(), 0.3) << "a fluid is stiff";
@@ -98,12 +97,11 @@ TEST(StructureFactor, AgreesWithPercusAndYevickAtPackingFraction20) {
 
 // Torquato's formula agrees with simulations to some parts in 1000.
 TEST(NearestNeighbor, AgreesWithTorquatoAtPackingFraction20) {
-  Simulation simulation(
-      support::settled(support::make_gas({.count = 2000, .packing_fraction = 0.2, .seed = 63}), 20));
+  Simulation simulation(settled(make_gas({.count = 2000, .packing_fraction = 0.2, .seed = 63}), 20));
   NearestNeighbor measure({simulation.world(), simulation.now()});
   watch(simulation, 200, 2, [&](const Scene& scene) { measure.sample(scene); });
-  const Quantity gap = support::quantity(measure.result({simulation.world(), simulation.now()}), "mean_gap");
-  support::record("relative_deviation", gap.value / gap.theory - 1);
+  const Quantity gap = quantity(measure.result({simulation.world(), simulation.now()}), "mean_gap");
+  record("relative_deviation", gap.value / gap.theory - 1);
   EXPECT_LT(gap.error, 0.003 * gap.theory);
   EXPECT_NEAR(gap.value, gap.theory, 4 * gap.error + 0.005 * gap.theory);
 }
@@ -112,16 +110,16 @@ TEST(NearestNeighbor, AgreesWithTorquatoAtPackingFraction20) {
 // the pressure, to which every contact adds, is the better known.
 TEST(DensityProfiles, HaveThePressureOfTheWallsAtContact) {
   const World start =
-      support::make_gas({.count = 1000, .packing_fraction = 0.2, .seed = 64, .boundary = Boundary::wall});
-  Simulation simulation(support::settled(start, 20));
+      make_gas({.count = 1000, .packing_fraction = 0.2, .seed = 64, .boundary = Boundary::wall});
+  Simulation simulation(settled(start, 20));
   DensityProfiles measure({simulation.world(), simulation.now()});
   watch(simulation, 3000, 0.5, [&](const Scene& scene) { measure.sample(scene); });
   const Quantity pressure =
-      support::quantity(measure.result({simulation.world(), simulation.now()}), "pressure_at_walls");
+      quantity(measure.result({simulation.world(), simulation.now()}), "pressure_at_walls");
   const double expected = simulation.tally().wall_pressure(simulation.world().box(), simulation.now());
-  support::record("pressure_at_walls", pressure.value);
-  support::record("error", pressure.error);
-  support::record("wall_pressure", expected);
+  record("pressure_at_walls", pressure.value);
+  record("error", pressure.error);
+  record("wall_pressure", expected);
   EXPECT_LT(pressure.error, 0.015 * expected);
   EXPECT_NEAR(pressure.value, expected, 4 * pressure.error + 2e-3 * expected);
 }
@@ -129,16 +127,15 @@ TEST(DensityProfiles, HaveThePressureOfTheWallsAtContact) {
 // A fluid has no bonds in common directions: Q6 of all bonds is one over the square root of their number, up
 // to their correlations. The crystal at a packing fraction of 0.6 keeps most of the 0.575 of its lattice.
 TEST(BondOrder, DistinguishesTheCrystalFromTheFluid) {
-  const auto order = [](double packing_fraction, support::Start start) {
-    Simulation simulation(support::settled(
-        support::make_gas({.count = 2048, .packing_fraction = packing_fraction, .seed = 65, .start = start}),
-        20));
+  const auto order = [](double packing_fraction, Start start) {
+    Simulation simulation(settled(
+        make_gas({.count = 2048, .packing_fraction = packing_fraction, .seed = 65, .start = start}), 20));
     BondOrder measure({simulation.world(), simulation.now()});
     watch(simulation, 20, 1, [&](const Scene& scene) { measure.sample(scene); });
-    return support::quantity(measure.result({simulation.world(), simulation.now()}), "Q6").value;
+    return quantity(measure.result({simulation.world(), simulation.now()}), "Q6").value;
   };
-  EXPECT_LT(order(0.3, support::Start::random), 0.04);
-  const double crystal = order(0.6, support::Start::fcc);
+  EXPECT_LT(order(0.3, Start::random), 0.04);
+  const double crystal = order(0.6, Start::fcc);
   EXPECT_GT(crystal, 0.45);
   EXPECT_LT(crystal, 0.575);
 }

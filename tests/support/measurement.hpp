@@ -38,6 +38,13 @@ inline const std::vector<double>& values(const Measurement& found, const std::st
   return column(found, name).values;
 }
 
+/// The result of the measure of this name.
+inline const Measurement& named(const std::vector<Measurement>& results, const std::string& name) {
+  const auto found = std::ranges::find(results, name, &Measurement::name);
+  if (found == results.end()) throw std::out_of_range("no measure " + name);
+  return *found;
+}
+
 /// The result of a measure that samples a world once, at time zero.
 template <class Measure, class... Settings>
 Measurement measured(const World& world, const Settings&... settings) {

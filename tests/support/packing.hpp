@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
-
 #include "hardball/packing/jamming.hpp"
 #include "hardball/packing/packing.hpp"
 

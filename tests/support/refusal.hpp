@@ -2,11 +2,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 
 #include "hardball/errors/error.hpp"
 
 namespace hardball::support {
+
+/// The Error that must end an act.
+template <class Act>
+Error error_of(Act&& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "it was not refused";
+  return Error("", "", "");
+}
 
 /// What `part` of the Error that ends an act says; empty if the act is not refused.
 template <class Act, class Part>

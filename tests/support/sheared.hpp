@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/interaction/bounce.hpp"

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::archive_test {
 namespace {
@@ -118,26 +119,18 @@ TEST(Archive, OfBeforeTheFirstReleaseIsRefusedByName) {
   ArchiveWriter archive;
   archive(ArchiveWriter::kFirstReleased - 1, 1);
   int number = 0;
-  try {
-    restore(archive.bytes(), "run/checkpoint", number);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.where(), "run/checkpoint");
-    EXPECT_EQ(error.remedy(), "start the run again, or end it with the program that wrote it");
-  }
+  const Error error = support::error_of([&] { restore(archive.bytes(), "run/checkpoint", number); });
+  EXPECT_EQ(error.where(), "run/checkpoint");
+  EXPECT_EQ(error.remedy(), "start the run again, or end it with the program that wrote it");
 }
 
 TEST(Archive, OfALaterVersionIsRefusedByName) {
   ArchiveWriter archive;
   archive(ArchiveWriter::kVersion + 1, 1);
   int number = 0;
-  try {
-    restore(archive.bytes(), "run/checkpoint", number);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.where(), "run/checkpoint");
-    EXPECT_EQ(error.remedy(), "use a later version of the program");
-  }
+  const Error error = support::error_of([&] { restore(archive.bytes(), "run/checkpoint", number); });
+  EXPECT_EQ(error.where(), "run/checkpoint");
+  EXPECT_EQ(error.remedy(), "use a later version of the program");
 }
 
 }  // namespace

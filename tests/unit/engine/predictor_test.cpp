@@ -24,8 +24,7 @@
 namespace hardball::predictor_test {
 namespace {
 
-using support::available_instruction_sets;
-using support::same_bits;
+using namespace support;
 
 constexpr Boundary kPeriodic = Boundary::periodic;
 constexpr Boundary kWall = Boundary::wall;
@@ -370,7 +369,7 @@ class EveryPredictor : public testing::TestWithParam<Settings> {};
 TEST_P(EveryPredictor, AgreesWithThePlainLoop) {
   Comparison comparison;
   Candidates candidates;
-  for (std::uint64_t seed = 0; seed < support::cases(1000); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(1000); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     PairMaker maker(GetParam(), seed);
@@ -398,7 +397,7 @@ TEST_P(EveryPredictor, AgreesWithThePlainLoop) {
   const Coverage& coverage = comparison.coverage();
   EXPECT_GT(coverage.contacts, coverage.queries / 3);
   EXPECT_GT(coverage.at_once, coverage.queries / 10);
-  EXPECT_GT(coverage.queries, support::cases(1000) * 10);
+  EXPECT_GT(coverage.queries, cases(1000) * 10);
   EXPECT_GT(coverage.pairs_in_contact, coverage.pairs / 8);
   EXPECT_GT(coverage.bounds, coverage.queries);
   EXPECT_GT(coverage.bounds_after_now, coverage.bounds / 10);
@@ -423,7 +422,7 @@ TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
   constexpr std::array<std::array<double, 2>, 4> kMeetings = {{{0, 13}, {5, 12}, {12, 5}, {13, 0}}};
   Comparison comparison;
   Candidates candidates;
-  for (std::uint64_t seed = 0; seed < support::cases(4000); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(4000); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     const auto below = [&random](std::uint64_t n) { return static_cast<double>(random.bits() % n); };
@@ -473,7 +472,7 @@ TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
     comparison.compare(world, candidates, now);
     if (HasFailure()) return;
   }
-  EXPECT_GT(comparison.coverage().ties, 10 * support::cases(4000));
+  EXPECT_GT(comparison.coverage().ties, 10 * cases(4000));
 }
 
 // However often candidates are repeated, and into however many batches they are divided: of the second bound
@@ -481,7 +480,7 @@ TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
 TEST(Predictor, BoundsDoNotDependOnRepetitions) {
   Candidates candidates;
   std::uint64_t differ = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(2000); ++seed) {
+  for (std::uint64_t seed = 0; seed < cases(2000); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     PairMaker maker({kAllPeriodic, seed % 2 == 0, 0}, seed);
@@ -508,7 +507,7 @@ TEST(Predictor, BoundsDoNotDependOnRepetitions) {
       ASSERT_TRUE(often.partner == once.partner || !is_first);
     }
   }
-  EXPECT_GT(differ, support::cases(2000) / 4);
+  EXPECT_GT(differ, cases(2000) / 4);
 }
 
 // An exact graze is not a contact, whatever else is in the vector; a unit in the last place closer, it is
@@ -517,7 +516,7 @@ TEST(Predictor, KnowsExactGrazes) {
   Comparison comparison;
   Candidates candidates;
   Random random(3);
-  for (std::uint64_t i = 0; i < support::cases(3000); ++i) {
+  for (std::uint64_t i = 0; i < cases(3000); ++i) {
     const double reach = std::floor(64 + 1000 * random.uniform()) / 64;
     const double distance = std::floor(1 + 1000 * random.uniform()) / 16;
     const double speed = std::floor(1 + 1000 * random.uniform()) / 32;
@@ -542,7 +541,7 @@ TEST(Predictor, LosesNoGrazeJustBeforeAnotherContact) {
   Candidates candidates;
   Random random(4);
   std::uint64_t grazes = 0;
-  for (std::uint64_t i = 0; i < support::cases(30000); ++i) {
+  for (std::uint64_t i = 0; i < cases(30000); ++i) {
     const double distance = spread(random, -3, 24);
     const double impact = 1 - spread(random, -50, -1);
     const Vec3 along = random.direction();
@@ -562,7 +561,7 @@ TEST(Predictor, LosesNoGrazeJustBeforeAnotherContact) {
     ASSERT_FALSE(HasFailure()) << "case " << i << ", distance " << distance;
     grazes += plain_loop(world, candidates, Time(0)).partner == 1 ? 1U : 0U;
   }
-  EXPECT_GT(grazes, support::cases(30000) / 4);
+  EXPECT_GT(grazes, cases(30000) / 4);
 }
 
 TEST(Predictor, FindsNothingWithoutCandidates) {
@@ -578,7 +577,7 @@ TEST(Predictor, FindsNothingWithoutCandidates) {
 
 TEST(NearestImage, IsTheNearestAndOppositeAsSeenFromTheOther) {
   Random random(5);
-  for (std::uint64_t i = 0; i < support::cases(20000); ++i) {
+  for (std::uint64_t i = 0; i < cases(20000); ++i) {
     const Box box(i % 2 == 0 ? kAllPeriodic : kMixture, {3 + random.uniform(), 4, 5 + random.uniform()});
     World world(box);
     const auto place = [&] {

@@ -12,14 +12,13 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::checkpoint_file_test {
 namespace {
 
-using support::read_text;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 // Sections that compress well, somewhat, and not at all.
 std::vector<CheckpointSection> sections() {
@@ -92,14 +91,10 @@ TEST(CheckpointFile, ThatIsMissingIsRefused) {
 TEST(EarlierCheckpoints, OfBeforeTheFirstReleaseAreRefusedByName) {
   const std::string path = HARDBALL_TEST_SUPPORT "/checkpoints/before_first_release.hbc";
   const std::string saved = read_checkpoint_file(path).at("simulation");
-  try {
-    static_cast<void>(Simulation::load(saved, path));
-    FAIL() << "it was read";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.problem(), "has version 3 of the format, of before the first release");
-    EXPECT_EQ(error.where(), path);
-    EXPECT_EQ(error.remedy(), "start the run again, or end it with the program that wrote it");
-  }
+  const Error error = error_of([&] { static_cast<void>(Simulation::load(saved, path)); });
+  EXPECT_EQ(error.problem(), "has version 3 of the format, of before the first release");
+  EXPECT_EQ(error.where(), path);
+  EXPECT_EQ(error.remedy(), "start the run again, or end it with the program that wrote it");
 }
 
 }  // namespace

@@ -10,15 +10,13 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/replace_file.hpp"
 #include "support/file_size_limit.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::output_file_test {
 namespace {
 
-using support::FileSizeLimit;
-using support::read_text;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 std::string message_of(const RunFailure& failure) {
   return failure.what();
@@ -190,13 +188,9 @@ TEST(OutputFile, MovesWithItsContents) {
 
 TEST(OutputFile, CannotBeCreatedInAMissingFolder) {
   const ScratchFolder folder;
-  try {
-    OutputFile file(folder / "missing/file");
-    FAIL() << "a file in a missing folder was opened";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.where(), (folder / "missing/file").string());
-    EXPECT_NE(error.problem().find("No such file or directory"), std::string::npos) << error.what();
-  }
+  const Error error = error_of([&] { OutputFile file(folder / "missing/file"); });
+  EXPECT_EQ(error.where(), (folder / "missing/file").string());
+  EXPECT_NE(error.problem().find("No such file or directory"), std::string::npos) << error.what();
 }
 
 TEST(OutputFile, SaysThatTheDiskIsFull) {

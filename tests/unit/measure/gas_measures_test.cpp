@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
-#include <string>
 #include <vector>
 
 #include "hardball/measure/measures.hpp"
@@ -22,11 +20,7 @@
 namespace hardball::gas_measures_test {
 namespace {
 
-using support::column;
-using support::has_quantity;
-using support::measured;
-using support::quantity;
-using support::values;
+using namespace support;
 
 Contact collision(double time, SphereId first, SphereId second) {
   Contact contact;
@@ -115,7 +109,7 @@ Contact collision_at(double speed) {
 }
 
 TEST(ImpactSpeeds, AreThoseAlongTheLineOfCenters) {
-  const World world = support::make_gas({.count = 1000, .seed = 3});
+  const World world = make_gas({.count = 1000, .seed = 3});
   ImpactSpeeds speeds({world, Time(0)});
   for (const double speed : {1.0, 2.0, 2.0, 3.0}) speeds.note(collision_at(speed));
   const Measurement found = speeds.result({world, Time(1)});
@@ -138,7 +132,7 @@ TEST(ImpactSpeeds, HaveRayleighsDistributionForManySpheres) {
   // kT = 3 n / (3 n - 3) for gases of the support library.
   constexpr double kSpheres = 4000;
   const double temperature = kSpheres / (kSpheres - 1);
-  const World world = support::make_gas({.count = 4000, .seed = 3});
+  const World world = make_gas({.count = 4000, .seed = 3});
   ImpactSpeeds speeds({world, Time(0)});
   speeds.note(collision_at(1));
   const Measurement found = speeds.result({world, Time(1)});
@@ -174,16 +168,22 @@ TEST(ImpactSpeeds, HaveNoTheoryOutOfEquilibrium) {
   EXPECT_TRUE(std::isnan(quantity(speeds.result({open, Time(1)}), "mean_impact_speed").theory));
 }
 
+// The pressure in a run.
+Measurement pressure_of(Simulation& simulation, const RunLimits& limits) {
+  Pressure pressure({simulation.world(), simulation.now()});
+  simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
+  simulation.run(limits);
+  simulation.on_contact(nullptr);
+  return pressure.result({simulation.world(), simulation.now()});
+}
+
 // Two spheres of diameter 1 and mass 2 meet head-on at relative speed 4, at 1, 3.25 and 5.5.
 TEST(Pressure, OfAHeadOnPairInAPeriodicBoxMatchesAHandCalculation) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{1, 5, 5}, {3, 0, 0}, 0.5, 2});
   world.add({{6, 5, 5}, {-1, 0, 0}, 0.5, 2});
   Simulation simulation(world);
-  Pressure pressure({simulation.world(), simulation.now()});
-  simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
-  simulation.run_until(6);
-  const Measurement found = pressure.result({simulation.world(), simulation.now()});
+  const Measurement found = pressure_of(simulation, {.until = Time(6)});
   // Relative to the drift of 1 both move at 2: sum m v v = 16. Each collision gives the impulse 8 over the
   // distance 1, three in 6 units of time.
   EXPECT_DOUBLE_EQ(quantity(found, "pressure_xx").value, (16 + 24.0 / 6) / 1000);
@@ -203,10 +203,7 @@ TEST(Pressure, DoesNotAssumeConservedMomentum) {
   world.add({{4, 5, 5}, {}, 0.5});
   Simulation simulation(world);
   simulation.respond_with([](const Contact&) { return Velocities{}; });
-  Pressure pressure({simulation.world(), simulation.now()});
-  simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
-  simulation.run_until(4);
-  const Measurement found = pressure.result({simulation.world(), simulation.now()});
+  const Measurement found = pressure_of(simulation, {.until = Time(4)});
   EXPECT_DOUBLE_EQ(quantity(found, "pressure_xx").value, (2 + 2.0 / 4) / 1000);
 }
 
@@ -217,10 +214,7 @@ TEST(Pressure, HasOffDiagonalComponents) {
   world.add({{3, 3, 5}, {a, a, 0}, 0.5});
   world.add({{5, 5, 5}, {-a, -a, 0}, 0.5});
   Simulation simulation(world);
-  Pressure pressure({simulation.world(), simulation.now()});
-  simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
-  simulation.run_until(4);
-  const Measurement found = pressure.result({simulation.world(), simulation.now()});
+  const Measurement found = pressure_of(simulation, {.until = Time(4)});
   // sum m v v = 1 in each component; one collision of impulse 2 over distance 1, half of it in each.
   const double expected = (1 + 1.0 / 4) / 1000;
   for (const char* name : {"pressure_xx", "pressure_yy", "pressure_xy"}) {
@@ -236,10 +230,7 @@ TEST(Pressure, OfOneSphereOnWallsIsItsImpulse) {
   World world(Box::walls({10, 20, 20}));
   world.add({{5, 5, 5}, {3, 0, 0}, 0.5});
   Simulation simulation(world);
-  Pressure pressure({simulation.world(), simulation.now()});
-  simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
-  simulation.run_until(60);
-  const Measurement found = pressure.result({simulation.world(), simulation.now()});
+  const Measurement found = pressure_of(simulation, {.until = Time(60)});
   for (const char* name : {"wall_pressure_x_min", "wall_pressure_x_max"}) {
     EXPECT_NEAR(quantity(found, name).value, 1.0 / 400, 1e-15) << name;
     EXPECT_NEAR(quantity(found, name).theory, 1.0 / 400, 1e-15) << name;
@@ -252,12 +243,8 @@ TEST(Pressure, OfOneSphereOnWallsIsItsImpulse) {
 
 TEST(Pressure, AgreesWithTheTallyOfTheRun) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
-    Simulation simulation(
-        support::make_gas({.count = 200, .packing_fraction = 0.2, .seed = 6, .boundary = boundary}));
-    Pressure pressure({simulation.world(), simulation.now()});
-    simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
-    simulation.run_contacts(5000);
-    const Measurement found = pressure.result({simulation.world(), simulation.now()});
+    Simulation simulation(make_gas({.count = 200, .packing_fraction = 0.2, .seed = 6, .boundary = boundary}));
+    const Measurement found = pressure_of(simulation, {.contacts = 5000});
     ASSERT_EQ(found.transient, 0) << "the tally counts all of the run";
     const Tally& tally = simulation.tally();
     EXPECT_NEAR(quantity(found, "compressibility").value, tally.compressibility(simulation.now()), 1e-12);
@@ -268,8 +255,8 @@ TEST(Pressure, AgreesWithTheTallyOfTheRun) {
 }
 
 TEST(Pressure, HasNoTheoryWhereEnergyIsLost) {
-  Simulation simulation(support::interacting(
-      support::make_gas({.count = 100, .packing_fraction = 0.2, .seed = 6}), Restitution(0.9)));
+  Simulation simulation(
+      interacting(make_gas({.count = 100, .packing_fraction = 0.2, .seed = 6}), Restitution(0.9)));
   Pressure pressure({simulation.world(), simulation.now()});
   EXPECT_GT(quantity(pressure.result({simulation.world(), simulation.now()}), "compressibility").theory, 2);
   simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
@@ -279,7 +266,7 @@ TEST(Pressure, HasNoTheoryWhereEnergyIsLost) {
 }
 
 TEST(Pressure, HasNoMeaningInOpenSpace) {
-  const World world = support::make_gas({.count = 10, .boundary = Boundary::open});
+  const World world = make_gas({.count = 10, .boundary = Boundary::open});
   const Pressure pressure({world, Time(0)});
   EXPECT_TRUE(pressure.result({world, Time(1)}).quantities.empty());
 }
@@ -384,14 +371,14 @@ void expect_mean_over_time(const Simulation& start, double until, int times, dou
 // Samples of a gas that cools are denser at the start, and those at the beat of a thermostat see it at one
 // phase: neither may matter.
 TEST(Temperature, IsTheMeanOverTimeOfAGasThatCools) {
-  const World gas = support::make_gas({.count = 200, .packing_fraction = 0.1, .seed = 3});
-  expect_mean_over_time(Simulation(support::interacting(gas, Restitution(0.8))), 200, 40000, 1e-3);
+  const World gas = make_gas({.count = 200, .packing_fraction = 0.1, .seed = 3});
+  expect_mean_over_time(Simulation(interacting(gas, Restitution(0.8))), 200, 40000, 1e-3);
 }
 
 TEST(Temperature, IsTheMeanOverTimeOfAGasThatIsRescaled) {
-  const World gas = support::make_gas({.count = 200, .packing_fraction = 0.2, .seed = 4});
+  const World gas = make_gas({.count = 200, .packing_fraction = 0.2, .seed = 4});
   for (const double every : {1.0, 0.25}) {
-    Simulation driven(support::interacting(gas, Restitution(0.7)));
+    Simulation driven(interacting(gas, Restitution(0.7)));
     driven.set_thermostat(Thermostat(Rescale(1, every)));
     expect_mean_over_time(driven, 100, 40000, 1e-3);
   }
@@ -399,8 +386,8 @@ TEST(Temperature, IsTheMeanOverTimeOfAGasThatIsRescaled) {
 
 // Samples at the beat of the thermostat would see the speeds right after it has acted.
 TEST(MeanSpeed, SharesNoBeatWithAThermostat) {
-  const World gas = support::make_gas({.count = 500, .packing_fraction = 0.15, .seed = 5});
-  Simulation driven(support::interacting(gas, Restitution(0.7)));
+  const World gas = make_gas({.count = 500, .packing_fraction = 0.15, .seed = 5});
+  Simulation driven(interacting(gas, Restitution(0.7)));
   driven.set_thermostat(Thermostat(Rescale(1, 1)));
   Measures measures({.names = {"temperature", "velocity_distribution"}});
   driven.run_until(200, measures);

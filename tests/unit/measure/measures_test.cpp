@@ -19,8 +19,7 @@
 namespace hardball::measures_test {
 namespace {
 
-using support::column;
-using support::quantity;
+using namespace support;
 
 // All results of measures, to the last bit.
 std::string text_of(const std::vector<Measurement>& measurements) {
@@ -36,8 +35,8 @@ std::vector<std::string> names_of(const std::vector<Measurement>& measurements) 
 }
 
 TEST(Measures, AreThoseThatAreNamed) {
-  const World gas = support::make_gas({.count = 20});
-  const World world = support::interacting(gas, support::stepping({.steps = {{1.5, -1}}}));
+  const World gas = make_gas({.count = 20});
+  const World world = interacting(gas, stepping({.steps = {{1.5, -1}}}));
   const std::vector<std::string> known(measure_names().begin(), measure_names().end());
   Measures every({.names = known});
   every.sample(world, Time(0));
@@ -65,7 +64,7 @@ TEST(Measures, AreThoseThatAreNamed) {
 TEST(Measures, TakeNoSamplesIfThereAreNone) {
   Measures none({.names = {}});
   EXPECT_EQ(none.next_sample(), kNever);
-  const World world = support::make_gas({.count = 20});
+  const World world = make_gas({.count = 20});
   none.sample(world, Time(0));
   EXPECT_TRUE(none.results(world, Time(1)).empty());
 }
@@ -78,7 +77,7 @@ TEST(Measures, RefuseWhatMakesNoSense) {
 }
 
 TEST(Measures, StartAtTheGivenTime) {
-  Simulation simulation(support::make_gas({.count = 100, .packing_fraction = 0.2}));
+  Simulation simulation(make_gas({.count = 100, .packing_fraction = 0.2}));
   Measures measures({.names = {"collision_rate", "temperature"}, .every = 0.5, .from = 2});
   EXPECT_EQ(measures.next_sample(), Time(2));
   simulation.run_until(1.9, measures);
@@ -100,7 +99,7 @@ TEST(Measures, StartAtTheGivenTime) {
 }
 
 TEST(Measures, TakeAMissedSampleAtOnce) {
-  Simulation simulation(support::make_gas({.count = 20}));
+  Simulation simulation(make_gas({.count = 20}));
   Measures measures({.names = {"temperature"}, .every = 1.0});
   simulation.run_until(0.1, measures);
   simulation.run_until(2.5);
@@ -154,7 +153,7 @@ TEST(Measures, TakeEditsOfVelocitiesIntoAccount) {
 }
 
 TEST(Measures, RefuseEditsOfASimulationThatIsNotTheirs) {
-  Simulation simulation(support::make_gas({.count = 20}));
+  Simulation simulation(make_gas({.count = 20}));
   Measures measures({.names = {"pressure"}});
   simulation.run_until(0.1, measures);
   simulation.remove(3);
@@ -166,7 +165,7 @@ TEST(Measures, RefuseEditsOfASimulationThatIsNotTheirs) {
 
 TEST(Measures, ChangeNoContact) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall, Boundary::open}) {
-    const World world = support::make_gas({.count = 300, .packing_fraction = 0.2, .boundary = boundary});
+    const World world = make_gas({.count = 300, .packing_fraction = 0.2, .boundary = boundary});
     // With cells of a fixed size: when they are rebuilt depends on the pieces in which the simulation runs.
     Simulation alone(world, {.cell_edge = 2});
     alone.run_until(3);
@@ -180,7 +179,7 @@ TEST(Measures, ChangeNoContact) {
 }
 
 TEST(Measures, FindTheSameBitsByEveryEngine) {
-  const World world = support::make_gas({.count = 500, .packing_fraction = 0.25, .seed = 8});
+  const World world = make_gas({.count = 500, .packing_fraction = 0.25, .seed = 8});
   const auto found_by = [&](EngineKind engine, double piece) {
     Simulation simulation(world, {.engine = engine});
     Measures measures;
@@ -198,7 +197,7 @@ TEST(Measures, FindTheSameBitsByEveryEngine) {
 
 // So many spheres are stored in an order chosen by the engine.
 TEST(Measures, FindTheSameBitsHoweverSpheresAreStored) {
-  const World world = support::make_gas({.count = 12000, .packing_fraction = 0.1, .seed = 9});
+  const World world = make_gas({.count = 12000, .packing_fraction = 0.1, .seed = 9});
   const auto found_by = [&](EngineKind engine) {
     Simulation simulation(world, {.engine = engine});
     Measures measures;
@@ -209,7 +208,7 @@ TEST(Measures, FindTheSameBitsHoweverSpheresAreStored) {
 }
 
 TEST(Measures, ComposeWithLimitsOnContactsAndSteps) {
-  const World world = support::make_gas({.count = 100, .packing_fraction = 0.2});
+  const World world = make_gas({.count = 100, .packing_fraction = 0.2});
   Simulation simulation(world);
   Measures measures({.every = 0.01});
   EXPECT_EQ(simulation.run({.until = Time(100), .contacts = 1000}, measures), RunStatus::contacts_reached);

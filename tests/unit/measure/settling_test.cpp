@@ -27,8 +27,7 @@
 namespace hardball::settling_test {
 namespace {
 
-using support::Gas;
-using support::quantity;
+using namespace support;
 
 std::vector<Measurement> measured(Simulation simulation, double free_times, bool is_placed = false) {
   const double until = free_times * mean_free_time(Scene(simulation.world(), Time(0)).statistics());
@@ -36,13 +35,6 @@ std::vector<Measurement> measured(Simulation simulation, double free_times, bool
   simulation.run_until(until, measures);
   measures.sample_the_rest(simulation.world(), simulation.now());
   return measures.results(simulation.world(), simulation.now());
-}
-
-const Measurement& named(const std::vector<Measurement>& all, const std::string& name) {
-  for (const Measurement& found : all) {
-    if (found.name == name) return found;
-  }
-  throw std::out_of_range(name);
 }
 
 // Every number has an error, or a reason why it has none or is left out; none that must be positive is not.
@@ -76,16 +68,14 @@ void expect_unsettled(const std::vector<Measurement>& all, const std::string& re
 // Its pressure and rate are off by a quarter, and the noise of a sixteenth of the run hides what is left of
 // that; the places of the spheres do not.
 TEST(Settling, TellsACrystalThatHasNotMelted) {
-  const World crystal =
-      support::make_gas({.count = 500, .packing_fraction = 0.49, .seed = 1, .start = support::Start::fcc});
+  const World crystal = make_gas({.count = 500, .packing_fraction = 0.49, .seed = 1, .start = Start::fcc});
   expect_unsettled(measured(Simulation(crystal), 2), kStillCrystal);
   expect_unsettled(measured(Simulation(crystal), 50), kStillCrystal);
-  expect_unsettled(measured(Simulation(support::make_discs(1058, 0.65, 1)), 30), kStillCrystal);
+  expect_unsettled(measured(Simulation(make_discs(1058, 0.65, 1)), 30), kStillCrystal);
 }
 
 TEST(Settling, LeavesOutTheTimeInWhichACrystalMelts) {
-  const World crystal =
-      support::make_gas({.count = 500, .packing_fraction = 0.3, .seed = 1, .start = support::Start::fcc});
+  const World crystal = make_gas({.count = 500, .packing_fraction = 0.3, .seed = 1, .start = Start::fcc});
   const std::vector<Measurement> all = measured(Simulation(crystal), 200);
   expect_qualified(all);
   const double free_time = mean_free_time(Scene(crystal, Time(0)).statistics());
@@ -101,8 +91,7 @@ TEST(Settling, LeavesOutTheTimeInWhichACrystalMelts) {
 
 // Beyond freezing a crystal is in equilibrium, though no sphere leaves its place.
 TEST(Settling, LetsACrystalBeThatIsStable) {
-  const World crystal =
-      support::make_gas({.count = 500, .packing_fraction = 0.6, .seed = 1, .start = support::Start::fcc});
+  const World crystal = make_gas({.count = 500, .packing_fraction = 0.6, .seed = 1, .start = Start::fcc});
   const std::vector<Measurement> all = measured(Simulation(crystal), 200);
   expect_qualified(all);
   EXPECT_TRUE(named(all, "pressure").is_transient_over);
@@ -111,7 +100,7 @@ TEST(Settling, LetsACrystalBeThatIsStable) {
 
 TEST(Settling, IsOverAtOnceWhereTheStartHasNoOrder) {
   for (const double packing_fraction : {0.02, 0.3}) {
-    const World gas = support::make_gas({.count = 500, .packing_fraction = packing_fraction, .seed = 2});
+    const World gas = make_gas({.count = 500, .packing_fraction = packing_fraction, .seed = 2});
     const Settling settling(Scene(gas, Time(0)), false);
     const Settled found = settling.found(Scene(gas, Time(0)));
     EXPECT_TRUE(found.is_over);
@@ -119,29 +108,28 @@ TEST(Settling, IsOverAtOnceWhereTheStartHasNoOrder) {
     expect_qualified(measured(Simulation(gas), 20));
   }
   // A fluid that was a crystal long ago.
-  const World fluid = support::settled(
-      support::make_gas({.count = 500, .packing_fraction = 0.4, .seed = 2, .start = support::Start::fcc}),
-      200);
+  const World fluid =
+      settled(make_gas({.count = 500, .packing_fraction = 0.4, .seed = 2, .start = Start::fcc}), 200);
   EXPECT_TRUE(Settling(Scene(fluid, Time(0)), false).found(Scene(fluid, Time(0))).is_over);
 }
 
 // In places at random there are too few neighbors at a distance, which shows in the order of bonds until the
 // spheres have left them.
 TEST(Settling, TellsSpheresThatAreStillWhereTheyWerePlaced) {
-  const World placed = support::make_gas({.count = 4000, .packing_fraction = 0.33, .seed = 2});
+  const World placed = make_gas({.count = 4000, .packing_fraction = 0.33, .seed = 2});
   expect_unsettled(measured(Simulation(placed), 5, true), kStillInPlace);
   const std::vector<Measurement> all = measured(Simulation(placed), 60, true);
   const Quantity& bonds = quantity(named(all, "bond_order"), "mean_bonds");
   EXPECT_LT(std::fabs(bonds.value - 7.1194), 4 * bonds.error) << "the mean of long runs";
   EXPECT_GT(named(all, "bond_order").transient, 5 * mean_free_time(Scene(placed, Time(0)).statistics()));
   // Of a dilute gas they leave them within a mean free time.
-  const World gas = support::make_gas({.count = 500, .packing_fraction = 0.02, .seed = 2});
+  const World gas = make_gas({.count = 500, .packing_fraction = 0.02, .seed = 2});
   EXPECT_TRUE(named(measured(Simulation(gas), 5, true), "pressure").is_transient_over);
 }
 
 // A gas set free in one half of the box.
 TEST(Settling, TellsAGasThatSpreads) {
-  const World half = support::make_gas({.count = 500, .packing_fraction = 0.1, .seed = 3});
+  const World half = make_gas({.count = 500, .packing_fraction = 0.1, .seed = 3});
   const double edge = half.box().size().x;
   World world(Box::periodic({4 * edge, edge, edge}));
   for (const Path& path : half.paths()) {
@@ -154,8 +142,8 @@ TEST(Settling, TellsAGasThatSpreads) {
 }
 
 TEST(Settling, TellsAGasThatCools) {
-  const World gas = support::make_gas({.count = 300, .packing_fraction = 0.1, .seed = 4});
-  const std::vector<Measurement> all = measured(Simulation(support::interacting(gas, Restitution(0.8))), 200);
+  const World gas = make_gas({.count = 300, .packing_fraction = 0.1, .seed = 4});
+  const std::vector<Measurement> all = measured(Simulation(interacting(gas, Restitution(0.8))), 200);
   expect_qualified(all);
   for (const char* const name : {"mean_square_displacement", "velocity_autocorrelation"}) {
     const Quantity& constant = quantity(named(all, name), "diffusion_constant");
@@ -170,8 +158,8 @@ TEST(Settling, TellsAGasThatCools) {
 }
 
 TEST(Settling, LetsADrivenGasBeSteady) {
-  const World gas = support::make_gas({.count = 300, .packing_fraction = 0.1, .seed = 5});
-  Simulation driven(support::interacting(gas, Restitution(0.9)));
+  const World gas = make_gas({.count = 300, .packing_fraction = 0.1, .seed = 5});
+  Simulation driven(interacting(gas, Restitution(0.9)));
   driven.set_thermostat(Thermostat(Rescale(1, 1)));
   const std::vector<Measurement> all = measured(driven, 2000);
   expect_qualified(all);
@@ -184,8 +172,8 @@ TEST(Settling, LetsADrivenGasBeSteady) {
 
 // Velocities stay those of the start, so that runs from other starts say more about errors than this one.
 TEST(Settling, LetsSpheresThatPassThroughEachOtherBeAnIdealGas) {
-  const World gas = support::interacting(
-      support::make_gas({.count = 500, .packing_fraction = 0.2, .seed = 6}), support::passing({{0, 0}}));
+  const World gas =
+      interacting(make_gas({.count = 500, .packing_fraction = 0.2, .seed = 6}), passing({{0, 0}}));
   const std::vector<Measurement> all = measured(Simulation(gas), 30);
   expect_qualified(all);
   EXPECT_EQ(quantity(named(all, "pressure"), "compressibility").value, 1);
@@ -196,8 +184,7 @@ TEST(Settling, LetsSpheresThatPassThroughEachOtherBeAnIdealGas) {
 }
 
 TEST(Settling, GoesOnAfterBeingSaved) {
-  const World crystal =
-      support::make_gas({.count = 256, .packing_fraction = 0.3, .seed = 7, .start = support::Start::fcc});
+  const World crystal = make_gas({.count = 256, .packing_fraction = 0.3, .seed = 7, .start = Start::fcc});
   Simulation simulation(crystal);
   Measures measures;
   simulation.run_until(2, measures);
@@ -216,7 +203,7 @@ TEST(Settling, GoesOnAfterBeingSaved) {
 // far apart as their errors say.
 
 World with_steps(const Gas& gas, double ratio, double energy) {
-  return support::interacting(support::make_gas(gas), support::stepping({.steps = {{ratio, energy}}}));
+  return interacting(make_gas(gas), stepping({.steps = {{ratio, energy}}}));
 }
 
 struct Scatter {
@@ -268,8 +255,7 @@ TEST(RandomStart, KnowsTheEnergiesOfOthersUnderGravity) {
         World world(Box({Boundary::wall, Boundary::wall, Boundary::wall}, size), {0, 0, -0.3});
         std::vector<double> radii(100, 0.3);
         const std::vector<Vec3> centers = place_randomly(world.box(), {{}, size}, radii, random, "");
-        const std::vector<Vec3> velocities =
-            support::thermal_velocities(std::vector<double>(radii.size(), 1), random);
+        const std::vector<Vec3> velocities = thermal_velocities(std::vector<double>(radii.size(), 1), random);
         for (std::size_t k = 0; k < radii.size(); ++k)
           world.add({.position = centers[k], .velocity = velocities[k], .radius = radii[k]});
         return world;
@@ -285,15 +271,14 @@ TEST(RandomStart, SaysNothingWherePlacesHaveNoEnergyOrItDoesNotLast) {
     return start.spread(Scene(simulation.world(), simulation.now())).temperature;
   };
   const Gas gas{.count = 108, .packing_fraction = 0.2};
-  EXPECT_EQ(spread_after(support::make_gas(gas), 1), 0);
+  EXPECT_EQ(spread_after(make_gas(gas), 1), 0);
   EXPECT_GT(spread_after(with_steps(gas, 1.5, -0.5), 1), 0.01);
   Interactions lossy(Restitution(0.9));
-  lossy.set_steps(support::stepping({.steps = {{1.5, -0.5}}}).steps());
-  EXPECT_EQ(spread_after(support::interacting(support::make_gas(gas), lossy), 1), 0);
+  lossy.set_steps(stepping({.steps = {{1.5, -0.5}}}).steps());
+  EXPECT_EQ(spread_after(interacting(make_gas(gas), lossy), 1), 0);
   // All spheres of a lattice have as many neighbors, whatever its velocities are.
   EXPECT_LT(
-      spread_after(
-          with_steps({.count = 256, .packing_fraction = 0.2, .start = support::Start::fcc}, 1.5, -0.5), 0),
+      spread_after(with_steps({.count = 256, .packing_fraction = 0.2, .start = Start::fcc}, 1.5, -0.5), 0),
       1e-12);
 }
 

@@ -30,10 +30,18 @@
 namespace hardball::static_structure_test {
 namespace {
 
-using support::column;
-using support::measured;
-using support::quantity;
-using support::values;
+using namespace support;
+
+// The result of a measure of so many ideal gases of the same spheres.
+template <class Measure, class... Settings>
+Measurement of_ideal_gases(const Box& box, const std::vector<double>& radii, std::uint64_t samples,
+                           const Settings&... settings) {
+  const World first = make_ideal_gas(box, radii, 0);
+  Measure measure({first, Time(0)}, settings...);
+  for (std::uint64_t sample = 0; sample < samples; ++sample)
+    measure.sample({make_ideal_gas(box, radii, sample), Time(0)});
+  return measure.result({first, Time(0)});
+}
 
 // The number of neighbors closer than a distance, from g(r) in a periodic box.
 double neighbors_within(const Measurement& found, const World& world, double distance) {
@@ -52,18 +60,18 @@ double neighbors_within(const Measurement& found, const World& world, double dis
 
 // The neighbors in all shells up to one, which lies within so many spacings squared.
 struct Shells {
-  support::Lattice lattice;
+  Lattice lattice;
   std::size_t cells;
   std::vector<std::pair<double, double>> neighbors_within;
 };
 
 TEST(RadialDistribution, CountsTheShellsOfACrystal) {
   const std::vector<Shells> crystals{
-      {support::face_centered_cubic(), 5, {{1.5, 12}, {2.5, 18}, {3.5, 42}, {4.5, 54}, {5.5, 78}, {6.5, 86}}},
-      {support::hexagonal_of_discs(), 12, {{1.5, 6}, {3.5, 12}, {5.5, 18}}}};
+      {face_centered_cubic(), 5, {{1.5, 12}, {2.5, 18}, {3.5, 42}, {4.5, 54}, {5.5, 78}, {6.5, 86}}},
+      {hexagonal_of_discs(), 12, {{1.5, 6}, {3.5, 12}, {5.5, 18}}}};
   constexpr double kSpacing = 1.2;
   for (const Shells& crystal : crystals) {
-    const World world = support::make_crystal(crystal.lattice, crystal.cells, kSpacing);
+    const World world = make_crystal(crystal.lattice, crystal.cells, kSpacing);
     const Measurement found = measured<RadialDistribution>(world);
     for (const auto& [square, neighbors] : crystal.neighbors_within)
       EXPECT_NEAR(neighbors_within(found, world, kSpacing * std::sqrt(square)), neighbors, 1e-9);
@@ -89,11 +97,7 @@ TEST_P(IdealGas, IsUniformInEveryBox) {
   const auto& [name, box, spheres, radius, range, bin_width] = GetParam();
   constexpr std::uint64_t kSamples = 24;
   const std::vector<double> radii(spheres, radius);
-  const World first = support::make_ideal_gas(box, radii, 0);
-  RadialDistribution measure({first, Time(0)}, range, bin_width);
-  for (std::uint64_t sample = 0; sample < kSamples; ++sample)
-    measure.sample({support::make_ideal_gas(box, radii, sample), Time(0)});
-  const Measurement found = measure.result({first, Time(0)});
+  const Measurement found = of_ideal_gases<RadialDistribution>(box, radii, kSamples, range, bin_width);
   const std::vector<double>& g = values(found, "g");
   const std::vector<double>& error = values(found, "g_error");
   const auto bins = static_cast<double>(g.size());
@@ -169,12 +173,7 @@ TEST(RadialDistribution, DistinguishesPairsOfSpecies) {
   const Box box = Box::periodic({10, 10, 10});
   std::vector<double> radii(300, 0.2);
   radii.resize(900, 0.4);
-  const World first = support::make_ideal_gas(box, radii, 0);
-  RadialDistribution measure({first, Time(0)});
-  for (std::uint64_t sample = 0; sample < 20; ++sample) {
-    measure.sample({support::make_ideal_gas(box, radii, sample), Time(0)});
-  }
-  const Measurement found = measure.result({first, Time(0)});
+  const Measurement found = of_ideal_gases<RadialDistribution>(box, radii, 20);
   for (const std::string pair : {"_1_1", "_1_2", "_2_2"}) {
     const std::vector<double>& g = values(found, "g" + pair);
     const std::vector<double>& error = values(found, "g" + pair + "_error");
@@ -207,7 +206,7 @@ TEST(RadialDistribution, OfManyRadiiHasNoContact) {
   Random random(53);
   std::vector<double> radii;
   for (int i = 0; i < 200; ++i) radii.push_back(0.1 + 0.3 * random.uniform());
-  const World world = support::make_ideal_gas(Box::periodic({10, 10, 10}), radii, 1);
+  const World world = make_ideal_gas(Box::periodic({10, 10, 10}), radii, 1);
   const Measurement found = measured<RadialDistribution>(world);
   EXPECT_TRUE(found.quantities.empty());
   EXPECT_FALSE(values(found, "g").empty());
@@ -218,10 +217,8 @@ TEST(RadialDistribution, HasNoMeaningWithoutADensity) {
     World world(box);
     world.add({.position = {2, 2, 2}});
     world.add({.position = {6, 6, 6}});
-    RadialDistribution measure({world, Time(0)});
-    measure.sample({world, Time(0)});
-    EXPECT_TRUE(measure.result({world, Time(0)}).columns.empty());
-    EXPECT_TRUE(measure.result({world, Time(0)}).quantities.empty());
+    EXPECT_TRUE(measured<RadialDistribution>(world).columns.empty());
+    EXPECT_TRUE(measured<RadialDistribution>(world).quantities.empty());
   }
 }
 
@@ -277,12 +274,12 @@ void expect_direct_sum(const World& world, double longest) {
 
 TEST(StructureFactor, IsTheSumOverAllWaveVectorsIfThereAreFew) {
   // 61 spheres do not fill the lanes of vector instructions.
-  expect_direct_sum(support::make_gas({.count = 61, .packing_fraction = 0.1, .seed = 54}), 5);
-  expect_direct_sum(support::make_crystal(support::simple_cubic(), 4, 1.1), 8);
+  expect_direct_sum(make_gas({.count = 61, .packing_fraction = 0.1, .seed = 54}), 5);
+  expect_direct_sum(make_crystal(simple_cubic(), 4, 1.1), 8);
 }
 
 TEST(StructureFactor, OfACrystalHasBraggPeaksAndNothingElse) {
-  const World world = support::make_crystal(support::simple_cubic(), 4, 1.1);
+  const World world = make_crystal(simple_cubic(), 4, 1.1);
   const Measurement found = measured<StructureFactor>(world, 8, 100);
   const std::vector<double>& wave_number = values(found, "wave_number");
   const std::vector<double>& value = values(found, "structure_factor");
@@ -303,13 +300,8 @@ TEST(StructureFactor, OfACrystalHasBraggPeaksAndNothingElse) {
 TEST(StructureFactor, OfAnIdealGasIsOne) {
   const Box box = Box::periodic({9, 11, 13});
   const std::vector<double> radii(500, 0.5);
-  const World first = support::make_ideal_gas(box, radii, 0);
-  StructureFactor measure({first, Time(0)});
   constexpr std::uint64_t kSamples = 40;
-  for (std::uint64_t sample = 0; sample < kSamples; ++sample) {
-    measure.sample({support::make_ideal_gas(box, radii, sample), Time(0)});
-  }
-  const Measurement found = measure.result({first, Time(0)});
+  const Measurement found = of_ideal_gases<StructureFactor>(box, radii, kSamples);
   const std::vector<double>& value = values(found, "structure_factor");
   const std::vector<double>& error = values(found, "structure_factor_error");
   double mean = 0;
@@ -339,9 +331,7 @@ TEST(StructureFactor, UsesPeriodicAxesOnly) {
 
   World walls(Box::walls({20, 20, 20}));
   walls.add({.position = {5, 5, 5}});
-  StructureFactor nothing({walls, Time(0)});
-  nothing.sample({walls, Time(0)});
-  EXPECT_TRUE(nothing.result({walls, Time(0)}).columns.empty());
+  EXPECT_TRUE(measured<StructureFactor>(walls).columns.empty());
 }
 
 // The phases stored along an axis are bounded, whatever the ratio of the box to the spheres.
@@ -357,7 +347,7 @@ TEST(StructureFactor, NeedsLittleMemoryForTinySpheres) {
 }
 
 struct Reference {
-  support::Lattice lattice;
+  Lattice lattice;
   std::size_t cells;
   double neighbors;
   double bonds;
@@ -370,17 +360,17 @@ struct Reference {
 // Source: Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28 (1983) 784, figure 2; five digits after Mickel et
 // al., J. Chem. Phys. 138 (2013) 044501, table I. Of discs the order of their own symmetry is one.
 std::vector<Reference> crystals() {
-  return {{support::face_centered_cubic(), 4, 12, 12, 0.19094, 0.57452, 6e-6},
-          {support::hexagonal_close_packing(), 4, 12, 12, 0.09722, 0.48476, 6e-6},
-          {support::body_centered_cubic(), 4, 8, 14, 0.03637, 0.51069, 6e-6},
-          {support::simple_cubic(), 4, 6, 6, 0.76376, 0.35355, 6e-6},
-          {support::hexagonal_of_discs(), 12, 6, 6, 0, 1, 1e-12, true},
-          {support::square_of_discs(), 12, 4, 4, 1, 0, 1e-12, true}};
+  return {{face_centered_cubic(), 4, 12, 12, 0.19094, 0.57452, 6e-6},
+          {hexagonal_close_packing(), 4, 12, 12, 0.09722, 0.48476, 6e-6},
+          {body_centered_cubic(), 4, 8, 14, 0.03637, 0.51069, 6e-6},
+          {simple_cubic(), 4, 6, 6, 0.76376, 0.35355, 6e-6},
+          {hexagonal_of_discs(), 12, 6, 6, 0, 1, 1e-12, true},
+          {square_of_discs(), 12, 4, 4, 1, 0, 1e-12, true}};
 }
 
 TEST(BondOrder, OfCrystalsHasThePublishedValues) {
   for (const Reference& crystal : crystals()) {
-    const Measurement found = measured<BondOrder>(support::make_crystal(crystal.lattice, crystal.cells, 1.1));
+    const Measurement found = measured<BondOrder>(make_crystal(crystal.lattice, crystal.cells, 1.1));
     EXPECT_EQ(quantity(found, "mean_bonds").value, crystal.bonds);
     for (const std::string name : {crystal.is_flat ? "Psi" : "Q", crystal.is_flat ? "mean_psi" : "mean_q"}) {
       EXPECT_NEAR(quantity(found, name + "4").value, crystal.order_four, crystal.tolerance);
@@ -393,8 +383,7 @@ TEST(BondOrder, OfCrystalsHasThePublishedValues) {
 
 TEST(Coordination, OfCrystalsIsThatOfTheirLattices) {
   for (const Reference& crystal : crystals()) {
-    const Measurement found =
-        measured<Coordination>(support::make_crystal(crystal.lattice, crystal.cells, 1.1));
+    const Measurement found = measured<Coordination>(make_crystal(crystal.lattice, crystal.cells, 1.1));
     EXPECT_EQ(quantity(found, "mean_neighbors").value, crystal.neighbors);
     EXPECT_EQ(values(found, "fraction").back(), 1);
     EXPECT_EQ(values(found, "neighbors").back(), crystal.neighbors);
@@ -441,8 +430,7 @@ TEST(BondOrder, OfAPairIsOne) {
 }
 
 TEST(BondOrder, OfManyRandomBondsGoesToZero) {
-  const World world =
-      support::make_ideal_gas(Box::periodic({12, 12, 12}), std::vector<double>(3000, 0.5), 56);
+  const World world = make_ideal_gas(Box::periodic({12, 12, 12}), std::vector<double>(3000, 0.5), 56);
   const Measurement found = measured<BondOrder>(world);
   const double bonds = 3000 * quantity(found, "mean_bonds").value / 2;
   EXPECT_GT(bonds, 10000);
@@ -468,8 +456,7 @@ TEST(Coordination, ScalesWithTheRadiiOfBothSpheres) {
 }
 
 TEST(NearestNeighbor, OfACrystalIsItsSpacing) {
-  const Measurement found =
-      measured<NearestNeighbor>(support::make_crystal(support::face_centered_cubic(), 4, 1.1));
+  const Measurement found = measured<NearestNeighbor>(make_crystal(face_centered_cubic(), 4, 1.1));
   EXPECT_NEAR(quantity(found, "mean_gap").value, 0.1, 1e-12);
   const std::vector<double>& gap = values(found, "gap");
   const std::vector<double>& density = values(found, "probability_density");
@@ -528,8 +515,8 @@ TEST(DensityProfiles, SliceASphereExactly) {
 
 TEST(DensityProfiles, AddUpToTheSpheres) {
   const Box slit({Boundary::wall, Boundary::periodic, Boundary::wall}, {7.1, 9.3, 8.2});
-  for (const World& world : {support::make_ideal_gas(slit, std::vector<double>(50, 0.7), 55),
-                             support::make_ideal_gas(Box::flat_walls(7, 9), {0.25, 1, 0.5, 0.5, 0.75}, 3)}) {
+  for (const World& world : {make_ideal_gas(slit, std::vector<double>(50, 0.7), 55),
+                             make_ideal_gas(Box::flat_walls(7, 9), {0.25, 1, 0.5, 0.5, 0.75}, 3)}) {
     const Measurement found = measured<DensityProfiles>(world, 0.13);
     const std::vector<double>& position = values(found, "position");
     const double width = position[1] - position[0];
@@ -553,7 +540,7 @@ TEST(DensityProfiles, AddUpToTheSpheres) {
 
 TEST(DensityProfilesOfDiscs, ArePerArea) {
   const Measurement found =
-      measured<DensityProfiles>(support::make_ideal_gas(Box::flat_walls(7, 9), {0.25, 1, 0.5}, 3));
+      measured<DensityProfiles>(make_ideal_gas(Box::flat_walls(7, 9), {0.25, 1, 0.5}, 3));
   EXPECT_EQ(column(found, "number_density_x").unit, "L^-2");
   EXPECT_EQ(quantity(found, "pressure_at_walls").unit, "M T^-2");
   EXPECT_THROW(column(found, "number_density_z"), std::out_of_range);
@@ -564,12 +551,7 @@ TEST(DensityProfiles, KnowTheDensityAtTheWalls) {
   const Box box({Boundary::wall, Boundary::periodic, Boundary::wall}, {7, 9, 8});
   std::vector<double> radii(300, 0.25);
   radii.resize(600, 0.5);
-  const World first = support::make_ideal_gas(box, radii, 0);
-  DensityProfiles measure({first, Time(0)});
-  for (std::uint64_t sample = 0; sample < 640; ++sample) {
-    measure.sample({support::make_ideal_gas(box, radii, sample), Time(0)});
-  }
-  const Measurement found = measure.result({first, Time(0)});
+  const Measurement found = of_ideal_gases<DensityProfiles>(box, radii, 640);
   const Quantity& density = quantity(found, "density_at_walls");
   // Along x, the free lengths of centers are 6.5 and 6; along z, 7.5 and 7. Walls are weighted by area.
   const double across_x = 300 / (9 * 8.0) * (1 / 6.5 + 1 / 6.0);
@@ -646,15 +628,13 @@ TEST(NearestNeighbor, HasTheSlopeOfTheContactValueAtContact) {
 
 TEST(FluidPackingFraction, IsKnownOfEqualSpheresInAPeriodicBox) {
   const auto packing = [](double packing_fraction, Boundary boundary) {
-    const World world =
-        support::make_gas({.count = 64, .packing_fraction = packing_fraction, .boundary = boundary});
+    const World world = make_gas({.count = 64, .packing_fraction = packing_fraction, .boundary = boundary});
     return fluid_packing_fraction({world, Time(0)});
   };
   EXPECT_NEAR(packing(0.2, Boundary::periodic), 0.2, 1e-12);
   EXPECT_TRUE(std::isnan(packing(0.2, Boundary::wall)));
   EXPECT_TRUE(std::isnan(packing(0.2, Boundary::open)));
-  const World frozen =
-      support::make_gas({.count = 108, .packing_fraction = 0.5, .start = support::Start::fcc});
+  const World frozen = make_gas({.count = 108, .packing_fraction = 0.5, .start = Start::fcc});
   EXPECT_TRUE(std::isnan(fluid_packing_fraction({frozen, Time(0)})));
   World mixture(Box::periodic({9, 9, 9}));
   mixture.add({.position = {1, 1, 1}, .radius = 1});
@@ -737,8 +717,7 @@ TEST(WallForcesOnDiscs, ArePerLength) {
 }
 
 TEST(StructureFactorOfDiscs, HasWavesInThePlaneAndNoTheory) {
-  const Measurement found =
-      measured<StructureFactor>(support::make_crystal(support::hexagonal_of_discs(), 12, 1.1));
+  const Measurement found = measured<StructureFactor>(make_crystal(hexagonal_of_discs(), 12, 1.1));
   EXPECT_GT(values(found, "wave_number").size(), 30U);
   EXPECT_THROW(column(found, "structure_factor_theory"), std::out_of_range);
   // The lattice scatters with all its discs or not at all.
@@ -748,7 +727,7 @@ TEST(StructureFactorOfDiscs, HasWavesInThePlaneAndNoTheory) {
 // Enskog's rate and diffusion, written out for so many discs that a box of fixed energy is no different.
 TEST(FluidTheoryOfDiscs, HasEnskogsRateAndDiffusion) {
   constexpr double kDiscs = 20000;
-  const World world = support::make_discs(static_cast<std::size_t>(kDiscs), 0.3, 1);
+  const World world = make_discs(static_cast<std::size_t>(kDiscs), 0.3, 1);
   const FluidTheory theory(world, SpeciesList(world));
   ASSERT_TRUE(theory.holds());
   const double density = kDiscs / world.box().volume();
@@ -759,7 +738,7 @@ TEST(FluidTheoryOfDiscs, HasEnskogsRateAndDiffusion) {
   EXPECT_NEAR(theory.mean_speed(2) / std::sqrt(std::numbers::pi), 1, 1 / kDiscs);
   EXPECT_NEAR(theory.enskog_diffusion(2), std::sqrt(2 / std::numbers::pi) / (2 * density * contact), 1e-9);
   EXPECT_TRUE(std::isnan(theory.diffusion(2)));
-  EXPECT_FALSE(FluidTheory(support::make_discs(200, 0.72, 1), SpeciesList(world)).holds());
+  EXPECT_FALSE(FluidTheory(make_discs(200, 0.72, 1), SpeciesList(world)).holds());
 }
 
 // The gap between points is distributed as exp(-pi n r^2).
@@ -772,7 +751,7 @@ TEST(NearestNeighborOfDiscs, IsThatOfPointsInADiluteGas) {
 }
 
 TEST(MeasuresOfDiscs, NameNothingAlongZ) {
-  const World world = support::make_discs(100, 0.3, 2);
+  const World world = make_discs(100, 0.3, 2);
   Simulation simulation(world);
   Measures measures({.names = {"all"}});
   simulation.run({.contacts = 2000}, measures);

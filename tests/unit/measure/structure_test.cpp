@@ -7,7 +7,6 @@
 #include <bit>
 #include <cstdint>
 #include <numeric>
-#include <string>
 #include <vector>
 
 #include "hardball/measure/neighbors.hpp"

@@ -16,9 +16,7 @@
 namespace hardball::time_correlation_test {
 namespace {
 
-using support::column;
-using support::quantity;
-using support::values;
+using namespace support;
 
 void add_products(std::span<const Vec3> earlier, std::span<const Vec3> later, double* sum) {
   for (std::size_t i = 0; i < later.size(); ++i) *sum += dot(earlier[i], later[i]);

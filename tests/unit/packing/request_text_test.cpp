@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::request_text_test {
@@ -15,12 +16,8 @@ namespace {
 using Kind = RadiusDistribution::Kind;
 
 std::string place_of_error(const PackingText& text) {
-  try {
-    parse_request(text, "--");
-  } catch (const Error& error) {
-    return error.where();
-  }
-  return "";
+  return support::refusal_of([&] { parse_request(text, "--"); },
+                             [](const Error& error) { return error.where(); });
 }
 
 TEST(RequestText, ReadsSizes) {

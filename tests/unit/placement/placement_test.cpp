@@ -9,6 +9,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/world.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::placement_test {
 namespace {
@@ -185,13 +186,9 @@ TEST(PlaceRandomly, RefusesWhatCannotBeReached) {
   const auto place = [&](std::size_t count, double radius) {
     return place_randomly(box, {{}, box.size()}, std::vector<double>(count, radius), random, "[[spheres]] 2");
   };
-  try {
-    place(800, 0.5);  // a packing fraction of 0.42
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.where(), "[[spheres]] 2");
-    EXPECT_NE(error.remedy().find("fcc"), std::string::npos);
-  }
+  const Error error = support::error_of([&] { place(800, 0.5); });  // a packing fraction of 0.42
+  EXPECT_EQ(error.where(), "[[spheres]] 2");
+  EXPECT_NE(error.remedy().find("fcc"), std::string::npos);
   EXPECT_THROW(place(2000, 0.5), Error) << "beyond close packing";
   EXPECT_EQ(place(0, 0.5).size(), 0U);
   std::vector<double> unequal(900, 0.5);
@@ -244,12 +241,10 @@ TEST(PlaceOnLattice, ReachesClosePackingAndNoFarther) {
   const Box box = Box::periodic({10, 10, 10});
   const double most = std::sqrt(0.5);
   EXPECT_EQ(place_on_lattice(box, {{}, box.size()}, 500, most * (1 - 1e-12), "here").size(), 500U);
-  try {
+  const Error error = support::error_of([&] {
     place_on_lattice(box, {{}, box.size()}, 500, most * (1 + 1e-9), "here");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_NE(error.remedy().find("0.7071067811865"), std::string::npos);
-  }
+  });
+  EXPECT_NE(error.remedy().find("0.7071067811865"), std::string::npos);
 }
 
 TEST(PlaceOnLattice, SpreadsVacanciesEvenly) {

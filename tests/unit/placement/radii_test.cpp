@@ -18,8 +18,7 @@
 namespace hardball::radii_test {
 namespace {
 
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 using Kind = RadiusDistribution::Kind;
 
 RadiusDistribution between(Kind kind, double min, double max) {
@@ -140,7 +139,7 @@ TEST(DrawRadii, ReadsAFile) {
 }
 
 std::string error_of(const RadiusDistribution& distribution, std::size_t count) {
-  return support::refusal_of([&] { draw(distribution, count); });
+  return refusal_of([&] { draw(distribution, count); });
 }
 
 TEST(DrawRadii, ExplainsWhatIsWrong) {

@@ -18,9 +18,7 @@
 namespace hardball::npy_event_log_test {
 namespace {
 
-using support::read_text;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 constexpr std::size_t kRecordBytes = 49;
 constexpr std::size_t kHeaderBytes = 256;
@@ -149,7 +147,7 @@ TEST(NpyEventLog, GoesOnOnlyAfterItsOwnRecords) {
   EXPECT_EQ(NpyEventLog(folder / "events.npy", position).size(), 5U);
   EXPECT_TRUE(read_text(folder / "events.npy") == bytes) << "untouched until it is resumed";
   bytes[kHeaderBytes + 3 * kRecordBytes] ^= 1;
-  support::write_text(folder / "events.npy", bytes);
+  write_text(folder / "events.npy", bytes);
   EXPECT_THROW(NpyEventLog(folder / "events.npy", position), Error);
   EXPECT_TRUE(read_text(folder / "events.npy") == bytes);
 }
@@ -169,7 +167,7 @@ TEST(NpyEventLog, CountsNoMoreThanThereIsWhenItIsCutOff) {
   {
     NpyEventLog log(folder / "events.npy", position);
     log.append(make_contact(5));
-    const support::FileSizeLimit limit(kHeaderBytes + kKept * kRecordBytes);
+    const FileSizeLimit limit(kHeaderBytes + kKept * kRecordBytes);
     EXPECT_THROW(log.flush(), RunFailure);
   }
   EXPECT_EQ(read_text(folder / "events.npy").size(), kHeaderBytes + kKept * kRecordBytes);

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -25,18 +24,14 @@
 #include "hardball/world/totals.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/true_checksums.hpp"
 
 namespace hardball::recording_test {
 namespace {
 
-using support::Gas;
-using support::make_gas;
-using support::read_text;
-using support::ScratchFolder;
-using support::with_true_checksums;
-using support::write_text;
+using namespace support;
 
 World make_mixture() {
   World world(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 8, 1}));
@@ -70,6 +65,12 @@ RecordedPath stored_path(const World& world, SphereId id) {
   return {path.position, path.velocity, path.time.value()};
 }
 
+class Recording : public testing::Test {
+ protected:
+  ScratchFolder folder_;
+};
+using RecordedBodies = Recording;
+
 TEST(RecordingHeader, SaysWhatHoldsPackedSpheres) {
   const std::string json =
       to_json({.spheres = 2,
@@ -86,8 +87,7 @@ TEST(RecordingHeader, SaysWhichSpheresAreBonded) {
   EXPECT_EQ(to_json({.spheres = 5}).find("bonds"), std::string::npos);
 }
 
-TEST(Recording, ContainsTheHeaderAndTheSpheres) {
-  const ScratchFolder folder;
+TEST_F(Recording, ContainsTheHeaderAndTheSpheres) {
   const World world = make_mixture();
   const RecordingHeader header{.begin = 0.5,
                                .until = 2.25,
@@ -95,8 +95,8 @@ TEST(Recording, ContainsTheHeaderAndTheSpheres) {
                                .cell_origin = {-1, 0, 1},
                                .name = "a \"name\"\n \\ of \xc3\xa4",
                                .restitution = 0.9};
-  RecordingWriter(folder / "recording.hbr", header, world).close(1);
-  const RecordingReader reader(folder / "recording.hbr");
+  RecordingWriter(folder_ / "recording.hbr", header, world).close(1);
+  const RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_EQ(reader.header().spheres, 3U);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     EXPECT_EQ(reader.header().box.boundary(axis), world.box().boundary(axis));
@@ -117,7 +117,7 @@ TEST(Recording, ContainsTheHeaderAndTheSpheres) {
   EXPECT_EQ(reader.spheres().offset % 8, 0U);
 }
 
-TEST(Recording, AnUnknownEndIsNull) {
+TEST_F(Recording, AnUnknownEndIsNull) {
   EXPECT_TRUE(nlohmann::json::parse(to_json({}))["until"].is_null());
   EXPECT_EQ(parse_recording_header(to_json({}), "test").until, std::nullopt);
 }
@@ -136,11 +136,10 @@ std::vector<RecordedSurface> every_surface() {
       {.shape = Shape::obstacle, .point = {1, 2, 3}, .radius = 0.1}};
 }
 
-TEST(Recording, ContainsGravityAndSurfaces) {
-  const ScratchFolder folder;
+TEST_F(Recording, ContainsGravityAndSurfaces) {
   const RecordingHeader header{.gravity = {0, 0.5, -9.81}, .surfaces = every_surface()};
-  RecordingWriter(folder / "recording.hbr", header, make_mixture()).close(1);
-  const RecordingReader reader(folder / "recording.hbr");
+  RecordingWriter(folder_ / "recording.hbr", header, make_mixture()).close(1);
+  const RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_EQ(reader.header().gravity, header.gravity);
   EXPECT_EQ(reader.header().surfaces, header.surfaces);
   const nlohmann::json json = nlohmann::json::parse(reader.header_text());
@@ -151,30 +150,29 @@ TEST(Recording, ContainsGravityAndSurfaces) {
   EXPECT_TRUE(json["surfaces"][0]["temperature"].is_null());
 }
 
-TEST(Recording, WithoutGravityAndSurfacesThereAreNone) {
-  const RecordingHeader header = parse_recording_header(
-      R"({"spheres": 2, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})",
-      "test");
-  EXPECT_EQ(header.gravity, Vec3{});
-  EXPECT_TRUE(header.surfaces.empty());
+const std::string kBox =
+    R"("bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
+
+// The header of two spheres in that box, with more keys.
+RecordingHeader header_of_two(const std::string& more) {
+  return parse_recording_header(R"({"spheres": 2, )" + kBox + more + "}", "run.hbr");
 }
 
-TEST(Recording, KeysOfASurfaceWithoutMeaningMayBeAbsent) {
-  const RecordingHeader header = parse_recording_header(
-      R"({"spheres": 2, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}, "surfaces": [
+TEST_F(Recording, KeysThatAreAbsentHaveTheUsualMeaning) {
+  EXPECT_EQ(header_of_two("").gravity, Vec3{});
+  EXPECT_TRUE(header_of_two("").surfaces.empty());
+  const RecordingHeader header = header_of_two(R"(, "surfaces": [
          {"shape": "plane", "point": [1, 2, 3], "direction": [0, 0, 1]},
-         {"shape": "obstacle", "point": [1, 2, 3], "radius": 2, "more": []}]})",
-      "test");
+         {"shape": "obstacle", "point": [1, 2, 3], "radius": 2, "more": []}])");
   ASSERT_EQ(header.surfaces.size(), 2U);
   EXPECT_EQ(header.surfaces[0], (RecordedSurface{.point = {1, 2, 3}}));
   EXPECT_EQ(header.surfaces[1],
             (RecordedSurface{.shape = RecordedSurface::Shape::obstacle, .point = {1, 2, 3}, .radius = 2}));
 }
 
-TEST(Recording, NumbersSurfacesAfterTheFacesOfTheBox) {
-  const ScratchFolder folder;
+TEST_F(Recording, NumbersSurfacesAfterTheFacesOfTheBox) {
   const auto record_contact_with = [&](std::uint32_t surface) {
-    RecordingWriter writer(folder / "recording.hbr", {.surfaces = every_surface()}, make_mixture());
+    RecordingWriter writer(folder_ / "recording.hbr", {.surfaces = every_surface()}, make_mixture());
     Contact contact;
     contact.kind = EventKind::wall;
     contact.time = Time(1);
@@ -185,16 +183,16 @@ TEST(Recording, NumbersSurfacesAfterTheFacesOfTheBox) {
     writer.close(2);
   };
   record_contact_with(9);
-  RecordingReader reader(folder / "recording.hbr");
+  RecordingReader reader(folder_ / "recording.hbr");
   const RecordedContact contact = reader.read(0).contacts.at(0);
   EXPECT_FALSE(contact.is_collision());
   EXPECT_EQ(contact.second, -10);
   EXPECT_EQ(contact.first_velocity, (Vec3{1, 2, 3}));
   record_contact_with(10);
-  EXPECT_THROW(RecordingReader(folder / "recording.hbr").read(0), Error) << "there are four surfaces";
+  EXPECT_THROW(RecordingReader(folder_ / "recording.hbr").read(0), Error) << "there are four surfaces";
 }
 
-TEST(Recording, PathsAreParabolasUnderGravity) {
+TEST_F(Recording, PathsAreParabolasUnderGravity) {
   const RecordedPath path{.position = {1, 2, 3}, .velocity = {0.5, 0, 4}, .time = 10};
   EXPECT_EQ(path.center_at(12, {0, 0, -2}), (Vec3{2, 2, 7}));
   EXPECT_EQ(path.velocity_at(12, {0, 0, -2}), (Vec3{0.5, 0, 0}));
@@ -204,10 +202,9 @@ TEST(Recording, PathsAreParabolasUnderGravity) {
 
 // Cut back and continued twice, from a moment at which several contacts were waiting for others at their
 // time.
-TEST(Recording, GoesOnFromWhatWasSaved) {
-  const ScratchFolder folder;
+TEST_F(Recording, GoesOnFromWhatWasSaved) {
   const World world = make_gas({.count = 200, .packing_fraction = 0.3});
-  const Simulation whole = record(folder / "whole.hbr", world, 5);
+  const Simulation whole = record(folder_ / "whole.hbr", world, 5);
   Simulation simulation(world);
   std::string state;
   std::string saved;
@@ -217,7 +214,7 @@ TEST(Recording, GoesOnFromWhatWasSaved) {
     simulation.on_contact({});
   };
   {
-    RecordingWriter writer(folder / "parts.hbr", {.until = 5, .name = "test"}, simulation.world());
+    RecordingWriter writer(folder_ / "parts.hbr", {.until = 5, .name = "test"}, simulation.world());
     go_on(writer, 2);
     state = writer.save();
     saved = simulation.save();
@@ -225,22 +222,21 @@ TEST(Recording, GoesOnFromWhatWasSaved) {
   }
   for (int time = 0; time < 2; ++time) {
     simulation = Simulation::load(saved);
-    RecordingWriter writer(folder / "parts.hbr", state);
+    RecordingWriter writer(folder_ / "parts.hbr", state);
     go_on(writer, 5);
     writer.close(5);
   }
-  EXPECT_EQ(read_text(folder / "parts.hbr"), read_text(folder / "whole.hbr"));
+  EXPECT_EQ(read_text(folder_ / "parts.hbr"), read_text(folder_ / "whole.hbr"));
   EXPECT_EQ(simulation.event_log_hash(), whole.event_log_hash());
-  std::filesystem::resize_file(folder / "parts.hbr", 1000);
-  EXPECT_THROW(RecordingWriter(folder / "parts.hbr", state), Error) << "it is shorter";
+  std::filesystem::resize_file(folder_ / "parts.hbr", 1000);
+  EXPECT_THROW(RecordingWriter(folder_ / "parts.hbr", state), Error) << "it is shorter";
 }
 
-TEST(Recording, ContainsEveryContactInOrder) {
-  const ScratchFolder folder;
+TEST_F(Recording, ContainsEveryContactInOrder) {
   Simulation simulation(make_mixture());
   std::vector<Contact> noted;
   {
-    RecordingWriter writer(folder / "recording.hbr", {}, simulation.world());
+    RecordingWriter writer(folder_ / "recording.hbr", {}, simulation.world());
     simulation.on_contact([&](const Contact& contact) {
       writer.note(contact, simulation.world());
       noted.push_back(contact);
@@ -248,7 +244,7 @@ TEST(Recording, ContainsEveryContactInOrder) {
     simulation.run_until(40);
     writer.close(40);
   }
-  RecordingReader reader(folder / "recording.hbr");
+  RecordingReader reader(folder_ / "recording.hbr");
   ASSERT_EQ(reader.chunks().size(), 1U);
   EXPECT_EQ(reader.reached(), 40);
   const RecordedChunk chunk = reader.read(0);
@@ -277,37 +273,35 @@ TEST(Recording, ContainsEveryContactInOrder) {
   EXPECT_TRUE(has_collision && has_wall);
 }
 
-TEST(Recording, ItsPathsAreTheStoredPathsBitForBit) {
-  const ScratchFolder folder;
+// Each keyframe is where the previous chunk leads.
+void expect_chunks_follow_each_other(RecordingReader& reader) {
+  for (std::size_t k = 1; k < reader.chunks().size(); ++k) {
+    const RecordedChunk before = reader.read(k - 1);
+    EXPECT_EQ(reader.read(k).keyframe, before.paths_at(before.end)) << k;
+    EXPECT_EQ(reader.read(k).bodies, before.bodies_at(before.end)) << k;
+  }
+}
+
+TEST_F(Recording, ItsPathsAreTheStoredPathsBitForBit) {
   const Simulation simulation =
-      record(folder / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), 5);
-  RecordingReader reader(folder / "recording.hbr");
+      record(folder_ / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), 5);
+  RecordingReader reader(folder_ / "recording.hbr");
   ASSERT_GT(reader.chunks().size(), 2U);
   const std::vector<RecordedPath> paths = reader.read(reader.chunks().size() - 1).paths_at(5);
   for (SphereId id = 0; id < simulation.size(); ++id) {
     EXPECT_EQ(paths[id], stored_path(simulation.world(), id)) << id;
   }
-}
-
-TEST(Recording, EachKeyframeIsWhereThePreviousChunkLeads) {
-  const ScratchFolder folder;
-  record(folder / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), 5);
-  RecordingReader reader(folder / "recording.hbr");
-  for (std::size_t chunk = 1; chunk < reader.chunks().size(); ++chunk) {
-    const RecordedChunk before = reader.read(chunk - 1);
-    EXPECT_EQ(reader.read(chunk).keyframe, before.paths_at(before.end)) << chunk;
-  }
+  expect_chunks_follow_each_other(reader);
 }
 
 // The recording drops the low part of a time t, up to 2^-53 t: at each end of a path, a sphere is displaced
 // by no more than it moves in that time, and by rounding.
-TEST(Recording, CentersAreThoseOfTheSimulation) {
-  const ScratchFolder folder;
+TEST_F(Recording, CentersAreThoseOfTheSimulation) {
   constexpr double kMoment = 4.75;
   constexpr double kHalfUlp = std::numeric_limits<double>::epsilon() / 2;
   const Simulation simulation =
-      record(folder / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), kMoment);
-  RecordingReader reader(folder / "recording.hbr");
+      record(folder_ / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), kMoment);
+  RecordingReader reader(folder_ / "recording.hbr");
   const std::vector<RecordedPath> paths = reader.read(reader.chunks().size() - 1).paths_at(kMoment);
   const std::vector<Vec3> centers = simulation.positions();
   const Vec3 size = simulation.world().box().size();
@@ -321,23 +315,21 @@ TEST(Recording, CentersAreThoseOfTheSimulation) {
   }
 }
 
-TEST(Recording, DoesNotAlterTheMotion) {
-  const ScratchFolder folder;
+TEST_F(Recording, DoesNotAlterTheMotion) {
   const World world = make_gas({.count = 100, .packing_fraction = 0.2});
   Simulation alone(world);
   alone.run_until(5);
-  EXPECT_EQ(record(folder / "recording.hbr", world, 5).event_log_hash(), alone.event_log_hash());
+  EXPECT_EQ(record(folder_ / "recording.hbr", world, 5).event_log_hash(), alone.event_log_hash());
 }
 
-TEST(Recording, ContactsAtOneTimeAreNotSplit) {
-  const ScratchFolder folder;
+TEST_F(Recording, ContactsAtOneTimeAreNotSplit) {
   {
-    RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+    RecordingWriter writer(folder_ / "recording.hbr", {}, make_mixture());
     for (int k = 0; k < 1500; ++k) writer.note(contact_at_time(1), make_mixture());
     for (int k = 0; k < 10; ++k) writer.note(contact_at_time(2), make_mixture());
     writer.close(3);
   }
-  const RecordingReader reader(folder / "recording.hbr");
+  const RecordingReader reader(folder_ / "recording.hbr");
   ASSERT_EQ(reader.chunks().size(), 2U);
   EXPECT_EQ(reader.chunks()[0].contacts, 1500U);
   EXPECT_EQ(reader.chunks()[0].end, 1);
@@ -346,10 +338,9 @@ TEST(Recording, ContactsAtOneTimeAreNotSplit) {
   EXPECT_EQ(reader.chunks()[1].end, 3);
 }
 
-TEST(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
-  const ScratchFolder folder;
-  RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
-  RecordingReader reader(folder / "recording.hbr");
+TEST_F(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
+  RecordingWriter writer(folder_ / "recording.hbr", {}, make_mixture());
+  RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_TRUE(reader.chunks().empty());
   EXPECT_EQ(reader.reached(), 0);
   for (const double time : {1.0, 2.0, 3.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
@@ -369,206 +360,43 @@ TEST(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
   ASSERT_EQ(reader.chunks().size(), 2U);
   EXPECT_EQ(reader.chunks()[1].contacts, 3U);
   EXPECT_EQ(reader.reached(), 3.5);
-  EXPECT_EQ(reader.length(), std::filesystem::file_size(folder / "recording.hbr"));
+  EXPECT_EQ(reader.length(), std::filesystem::file_size(folder_ / "recording.hbr"));
 }
 
-TEST(Recording, PredictsItsLength) {
-  const ScratchFolder folder;
-  RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+TEST_F(Recording, PredictsItsLength) {
+  RecordingWriter writer(folder_ / "recording.hbr", {}, make_mixture());
   for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
   const std::uint64_t bytes = writer.bytes();
   writer.close(4);
-  EXPECT_EQ(std::filesystem::file_size(folder / "recording.hbr"), bytes);
+  EXPECT_EQ(std::filesystem::file_size(folder_ / "recording.hbr"), bytes);
 }
 
-TEST(Recording, WhatWasNotClosedEndsAtTheLastContact) {
-  const ScratchFolder folder;
+TEST_F(Recording, WhatWasNotClosedEndsAtTheLastContact) {
   {
-    RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+    RecordingWriter writer(folder_ / "recording.hbr", {}, make_mixture());
     for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
   }
-  const RecordingReader reader(folder / "recording.hbr");
+  const RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_EQ(reader.reached(), 3);
 }
 
-TEST(Recording, ARunWithoutContactsHasOneChunk) {
-  const ScratchFolder folder;
-  RecordingWriter(folder / "recording.hbr", {}, World()).close(0);
-  RecordingReader reader(folder / "recording.hbr");
+TEST_F(Recording, ARunWithoutContactsHasOneChunk) {
+  RecordingWriter(folder_ / "recording.hbr", {}, World()).close(0);
+  RecordingReader reader(folder_ / "recording.hbr");
   ASSERT_EQ(reader.chunks().size(), 1U);
   EXPECT_TRUE(reader.read(0).keyframe.empty());
   EXPECT_THROW(reader.read(1), Error);
 }
 
-// A file of three spheres in two chunks.
-std::string small_recording(const ScratchFolder& folder) {
-  Simulation simulation(make_mixture());
-  RecordingWriter writer(folder / "small.hbr", {.until = 30, .name = "small"}, simulation.world());
-  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
-  simulation.run_until(2);
-  writer.flush();
-  simulation.run_until(4);
-  writer.close(4);
-  return read_text(folder / "small.hbr");
+TEST_F(Recording, OfBeforeTheFirstReleaseIsRefused) {
+  write_text(folder_ / "old.hbr", "HBREC002" + std::string(100, '\0'));
+  const std::string refusal = refusal_of([&] { RecordingReader(folder_ / "old.hbr"); });
+  EXPECT_NE(refusal.find("before the first release"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("record the run again"), std::string::npos) << refusal;
 }
 
-// Reads everything in the bytes; false if they are refused by an Error.
-bool is_read(const ScratchFolder& folder, const std::string& bytes) {
-  write_text(folder / "tried.hbr", bytes);
-  try {
-    RecordingReader reader(folder / "tried.hbr");
-    for (std::size_t chunk = 0; chunk < reader.chunks().size(); ++chunk) {
-      const RecordedChunk recorded = reader.read(chunk);
-      EXPECT_EQ(recorded.paths_at(recorded.end).size(), reader.header().spheres);
-      EXPECT_EQ(recorded.bodies_at(recorded.end).size(), reader.header().spheres);
-    }
-    EXPECT_LE(reader.length(), bytes.size());
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-TEST(Recording, TruncatedAnywhereItShowsTheCompleteChunks) {
-  const ScratchFolder folder;
-  const std::string bytes = small_recording(folder);
-  const RecordingReader whole(folder / "small.hbr");
-  ASSERT_EQ(whole.chunks().size(), 2U);
-  const std::uint64_t first_chunk = whole.chunks()[0].bytes.offset;
-  for (std::size_t length = 0; length < bytes.size(); ++length) {
-    ASSERT_EQ(is_read(folder, bytes.substr(0, length)), length >= first_chunk) << length;
-    if (length < first_chunk) continue;
-    const RecordingReader cut(folder / "tried.hbr");
-    ASSERT_EQ(cut.chunks().size(), length < whole.chunks()[1].bytes.offset ? 0U : 1U) << length;
-  }
-}
-
-TEST(Recording, WhateverItContainsIsReadOrRefused) {
-  const ScratchFolder folder;
-  const std::string bytes = small_recording(folder);
-  std::size_t refused = 0;
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    for (const unsigned flip : {0x01U, 0xffU}) {
-      std::string flipped = bytes;
-      flipped[at] = static_cast<char>(static_cast<unsigned char>(flipped[at]) ^ flip);
-      if (!is_read(folder, with_true_checksums(flipped))) ++refused;
-    }
-  }
-  EXPECT_GT(refused, 0U);
-}
-
-TEST(Recording, NoFlippedBitPasses) {
-  const ScratchFolder folder;
-  const std::string bytes = small_recording(folder);
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    for (int bit = 0; bit < 8; ++bit) {
-      std::string flipped = bytes;
-      flipped[at] = static_cast<char>(flipped[at] ^ (1 << bit));
-      ASSERT_FALSE(is_read(folder, flipped)) << "byte " << at << ", bit " << bit;
-    }
-  }
-}
-
-TEST(Recording, TellsWhereItIsDamagedAndShowsWhatComesBefore) {
-  const ScratchFolder folder;
-  const std::string bytes = small_recording(folder);
-  RecordingReader whole(folder / "small.hbr");
-  const ChunkExtent second = whole.chunks().at(1);
-  const RecordedChunk first = whole.read(0);
-  const auto damaged_at = [&](std::uint64_t at) {
-    std::string changed = bytes;
-    changed[at] = static_cast<char>(changed[at] ^ 1);
-    write_text(folder / "damaged.hbr", changed);
-  };
-  const std::string where = "damaged after time " + to_text(second.begin) + ": chunk 1, at byte " +
-                            to_text(second.bytes.offset) + ", ";
-  for (const auto& [at, what] : {std::pair<std::uint64_t, std::string>{
-                                     second.bytes.offset + 9, "has a head that does not match its checksum"},
-                                 {second.bytes.offset + 100, "does not match its checksum"},
-                                 {bytes.size() - 1, "does not match its checksum"}}) {
-    damaged_at(at);
-    RecordingReader reader(folder / "damaged.hbr", OnDamage::keep_what_comes_before);
-    std::size_t taken = 0;
-    reader.verify([&](const RecordedChunk& chunk) {
-      ++taken;
-      EXPECT_EQ(chunk.contacts, first.contacts);
-    });
-    EXPECT_EQ(taken, 1U);
-    EXPECT_EQ(reader.chunks().size(), 1U);
-    EXPECT_EQ(reader.reached(), first.end);
-    EXPECT_EQ(reader.length(), second.bytes.offset);
-    ASSERT_TRUE(reader.damage());
-    EXPECT_NE(reader.damage()->find(where + what), std::string::npos) << *reader.damage();
-    reader.refresh();
-    EXPECT_EQ(reader.chunks().size(), 1U);
-  }
-  EXPECT_EQ(RecordingReader(folder / "damaged.hbr").read(0).contacts, first.contacts);
-  EXPECT_THROW(RecordingReader(folder / "damaged.hbr").read(1), Error);
-  EXPECT_THROW(RecordingReader(folder / "damaged.hbr").verify(), Error);
-  whole.verify();
-  EXPECT_FALSE(whole.damage());
-  damaged_at(whole.spheres().offset);
-  EXPECT_THROW(RecordingReader(folder / "damaged.hbr", OnDamage::keep_what_comes_before), Error);
-}
-
-TEST(Recording, RefusesWhatNoRunCanProduce) {
-  const ScratchFolder folder;
-  const std::string bytes = small_recording(folder);
-  const RecordingReader whole(folder / "small.hbr");
-  const std::size_t chunk = whole.chunks()[0].bytes.offset;
-  const recording_format::Layout layout = whole.header().layout();
-  const std::size_t path = chunk + recording_format::Layout::kSummedHeadBytes;
-  const std::size_t contact =
-      bytes.size() - recording_format::Layout::kChecksumBytes - layout.contact_bytes();
-  const auto with = [&](std::size_t at, const std::string& replacement) {
-    std::string changed = bytes;
-    changed.replace(at, replacement.size(), replacement);
-    return with_true_checksums(changed);
-  };
-  const std::string nan = "\xff\xff\xff\xff\xff\xff\xff\xff";
-  ASSERT_TRUE(is_read(folder, bytes));
-  EXPECT_FALSE(is_read(folder, with(0, "HBREC004")));
-  EXPECT_FALSE(is_read(folder, with(8, "\xff\xff\xff\xff")));
-  EXPECT_FALSE(is_read(folder, with(whole.spheres().offset, nan)));
-  EXPECT_FALSE(is_read(folder, with(chunk, "CHUM")));
-  EXPECT_FALSE(is_read(folder, with(chunk + 4, "\xff\xff\xff\xff")));
-  EXPECT_FALSE(is_read(folder, with(chunk + 8, nan)));
-  EXPECT_FALSE(is_read(folder, with(chunk + 16, nan)));
-  EXPECT_FALSE(is_read(folder, with(chunk + 24, nan)));
-  EXPECT_FALSE(is_read(folder, with(path, nan))) << "position";
-  EXPECT_FALSE(is_read(folder, with(path + 48, nan))) << "start of a path";
-  EXPECT_FALSE(is_read(folder, with(contact, nan))) << "time";
-  EXPECT_FALSE(is_read(folder, with(contact, std::string(8, '\0')))) << "time";
-  EXPECT_FALSE(is_read(folder, with(contact + 8, std::string("\x03\x00\x00\x00", 4)))) << "first";
-  EXPECT_FALSE(is_read(folder, with(contact + 12, std::string("\x03\x00\x00\x00", 4)))) << "second";
-  EXPECT_FALSE(is_read(folder, with(contact + 12, "\xf9\xff\xff\xff"))) << "surface";
-  EXPECT_FALSE(is_read(folder, with(contact + 16, nan))) << "position";
-}
-
-// Its header announces more than any memory holds.
-TEST(Recording, AllocatesNoMoreMemoryThanTheFileJustifies) {
-  const ScratchFolder folder;
-  const std::string json =
-      R"({"spheres": 4000000000, "bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})";
-  const std::string length{static_cast<char>(json.size()), '\0', '\0', '\0'};
-  EXPECT_FALSE(is_read(folder, "HBREC003" + length + json + std::string(1000, '\0')));
-}
-
-TEST(Recording, OfBeforeTheFirstReleaseIsRefused) {
-  const ScratchFolder folder;
-  write_text(folder / "old.hbr", "HBREC002" + std::string(100, '\0'));
-  try {
-    RecordingReader reader(folder / "old.hbr");
-    FAIL() << "the recording was accepted";
-  } catch (const Error& error) {
-    EXPECT_NE(error.problem().find("before the first release"), std::string::npos) << error.what();
-    EXPECT_EQ(error.remedy(), "record the run again");
-  }
-}
-
-TEST(Recording, InvalidHeadersAreRefused) {
-  const std::string box =
-      R"("bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
+TEST_F(Recording, InvalidHeadersAreRefused) {
+  const std::string& box = kBox;
   EXPECT_EQ(parse_recording_header(R"({"more": {"a": [1, {}, null, "x"]}, "spheres": 2, )" + box + "} ", "x")
                 .spheres,
             2U);
@@ -613,7 +441,7 @@ TEST(Recording, InvalidHeadersAreRefused) {
   }
 }
 
-TEST(Recording, WhateverAHeaderContainsIsReadOrRefused) {
+TEST_F(Recording, WhateverAHeaderContainsIsReadOrRefused) {
   const std::string json = to_json({.name = "small", .gravity = {0, 0, -9.81}, .surfaces = every_surface()});
   std::size_t refused = 0;
   std::size_t read = 0;
@@ -643,17 +471,10 @@ TEST(Recording, WhateverAHeaderContainsIsReadOrRefused) {
 
 // The message with which a header with these surfaces is refused; empty if it is read.
 std::string refusal_of_surfaces(const std::string& surfaces) {
-  const std::string box =
-      R"("bodies": false, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
-  try {
-    parse_recording_header(R"({"spheres": 2, )" + box + R"(, "surfaces": )" + surfaces + "}", "run.hbr");
-    return "";
-  } catch (const Error& error) {
-    return error.what();
-  }
+  return refusal_of([&] { header_of_two(R"(, "surfaces": )" + surfaces); });
 }
 
-TEST(Recording, InvalidSurfacesAreRefusedByNumber) {
+TEST_F(Recording, InvalidSurfacesAreRefusedByNumber) {
   const std::string plane = R"({"shape": "plane", "point": [0, 0, 0], "direction": [0, 0, 1]})";
   ASSERT_EQ(refusal_of_surfaces("[" + plane + "]"), "");
   ASSERT_EQ(refusal_of_surfaces("[]"), "");
@@ -701,15 +522,14 @@ TEST(Recording, InvalidSurfacesAreRefusedByNumber) {
   }
 }
 
-TEST(Recording, MissingFilesAndDirectoriesAreRefused) {
-  const ScratchFolder folder;
-  EXPECT_THROW(RecordingReader(folder / "missing.hbr"), Error);
-  EXPECT_THROW(RecordingReader(folder.path()), Error);
+TEST_F(Recording, MissingFilesAndDirectoriesAreRefused) {
+  EXPECT_THROW(RecordingReader(folder_ / "missing.hbr"), Error);
+  EXPECT_THROW(RecordingReader(folder_.path()), Error);
 }
 
 RecordingHeader header_with(const Interactions& interactions) {
   return recording_header(
-      Simulation(support::interacting(make_gas({.count = 20, .packing_fraction = 0.05}), interactions)));
+      Simulation(interacting(make_gas({.count = 20, .packing_fraction = 0.05}), interactions)));
 }
 
 TEST(RecordingHeader, BeginsNow) {
@@ -782,7 +602,7 @@ TEST(RecordingHeader, HasGravityAndSurfaces) {
   };
   World world(Box::open(), {0, 0, -2}, surfaces);
   world.add({.position = {5, 5, 5}});
-  const RecordingHeader header = recording_header(Simulation(support::interacting(world, Restitution(0.75))));
+  const RecordingHeader header = recording_header(Simulation(interacting(world, Restitution(0.75))));
   EXPECT_EQ(header.gravity, (Vec3{0, 0, -2}));
   using Shape = RecordedSurface::Shape;
   EXPECT_EQ(header.surfaces,
@@ -841,7 +661,7 @@ struct Recorded {
 template <class Check>
 Recorded record_bodies(const std::filesystem::path& path, World world, double until, double check_every,
                        const Check& check) {
-  Recorded run{Simulation(support::interacting(std::move(world), every_outcome()))};
+  Recorded run{Simulation(interacting(std::move(world), every_outcome()))};
   Simulation& simulation = run.simulation;
   RecordingWriter writer(path, {.has_bodies = true, .until = until, .species_names = {"drop", "mist"}},
                          simulation.world());
@@ -903,10 +723,9 @@ void expect_same(const Moment& recorded, const Snapshot& actual) {
   EXPECT_EQ(present, world.size());
 }
 
-TEST(RecordedBodies, AreThoseOfTheSimulationAtAnyTime) {
-  const ScratchFolder folder;
+TEST_F(RecordedBodies, AreThoseOfTheSimulationAtAnyTime) {
   std::vector<Snapshot> snapshots;
-  const Recorded run = record_bodies(folder / "recording.hbr", drops_and_mist(150), 12, 0.5,
+  const Recorded run = record_bodies(folder_ / "recording.hbr", drops_and_mist(150), 12, 0.5,
                                      [&](const Simulation& simulation) {
                                        snapshots.push_back({simulation.time(), simulation.world()});
                                      });
@@ -916,20 +735,26 @@ TEST(RecordedBodies, AreThoseOfTheSimulationAtAnyTime) {
   EXPECT_EQ(tally.mergers(), run.mergers);
   EXPECT_EQ(run.simulation.size(), 150 - tally.mergers());
   ASSERT_GT(rotational_energy(run.simulation.world()), 0);
-  RecordingReader reader(folder / "recording.hbr");
+  RecordingReader reader(folder_ / "recording.hbr");
   ASSERT_GT(reader.chunks().size(), 3U);
   for (const Snapshot& snapshot : snapshots) expect_same(moment_of(reader, snapshot.time), snapshot);
+  expect_chunks_follow_each_other(reader);
+  std::array<std::uint64_t, 3> outcomes{};
+  reader.verify([&](const RecordedChunk& chunk) {
+    for (const RecordedContact& contact : chunk.contacts) ++outcomes[static_cast<int>(contact.outcome)];
+  });
+  EXPECT_EQ(outcomes, (std::array{tally.collisions() - tally.mergers() - tally.passes(), tally.passes(),
+                                  tally.mergers()}));
 }
 
 // Ids are missing: some spheres have become part of others, one has been removed, and so has the last.
-TEST(RecordedBodies, MayHaveGapsWhereTheRecordingBeginsMidway) {
-  const ScratchFolder folder;
-  Simulation simulation(support::interacting(drops_and_mist(150), every_outcome()));
+TEST_F(RecordedBodies, MayHaveGapsWhereTheRecordingBeginsMidway) {
+  Simulation simulation(interacting(drops_and_mist(150), every_outcome()));
   simulation.run_until(3);
   ASSERT_GT(simulation.tally().mergers(), 0U);
   for (const SphereId id : {60U, 149U}) simulation.remove(id);
   std::vector<Snapshot> snapshots{{simulation.time(), simulation.world()}};
-  RecordingWriter writer(folder / "recording.hbr", recording_header(simulation), simulation.world());
+  RecordingWriter writer(folder_ / "recording.hbr", recording_header(simulation), simulation.world());
   simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
   const std::uint64_t mergers = simulation.tally().mergers();
   for (int k = 7; k <= 20; ++k) {
@@ -939,7 +764,7 @@ TEST(RecordedBodies, MayHaveGapsWhereTheRecordingBeginsMidway) {
   }
   writer.close(simulation.time());
   ASSERT_GT(simulation.tally().mergers(), mergers);
-  RecordingReader reader(folder / "recording.hbr");
+  RecordingReader reader(folder_ / "recording.hbr");
   ASSERT_GT(reader.chunks().size(), 1U);
   EXPECT_EQ(reader.header().has_bodies, true);
   EXPECT_EQ(reader.header().spheres, 149U) << "the last id is 148";
@@ -949,62 +774,33 @@ TEST(RecordedBodies, MayHaveGapsWhereTheRecordingBeginsMidway) {
   for (const Snapshot& snapshot : snapshots) expect_same(moment_of(reader, snapshot.time), snapshot);
 }
 
-TEST(RecordedBodies, OfARemovedSphereAreRecorded) {
-  const ScratchFolder folder;
+TEST_F(RecordedBodies, OfARemovedSphereAreRecorded) {
   World world = make_gas({.count = 20, .packing_fraction = 0.05});
   world.remove(world.slot_of(3));
-  RecordingWriter(folder / "recording.hbr", {}, world).close(1);
-  const RecordingReader reader(folder / "recording.hbr");
+  RecordingWriter(folder_ / "recording.hbr", {}, world).close(1);
+  const RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_EQ(reader.header().has_bodies, true);
   EXPECT_EQ(reader.header().spheres, 20U);
   EXPECT_EQ(reader.radii()[3], 0);
 }
 
-TEST(RecordedBodies, AreOfAllSpheresOtherwise) {
-  const ScratchFolder folder;
+TEST_F(RecordedBodies, AreOfAllSpheresOtherwise) {
   const World world = make_gas({.count = 20, .packing_fraction = 0.05});
-  RecordingWriter(folder / "recording.hbr", {}, world).close(1);
-  const RecordingReader reader(folder / "recording.hbr");
+  RecordingWriter(folder_ / "recording.hbr", {}, world).close(1);
+  const RecordingReader reader(folder_ / "recording.hbr");
   ASSERT_EQ(reader.header().has_bodies, false);
-  const std::string whole = read_text(folder / "recording.hbr");
+  const std::string whole = read_text(folder_ / "recording.hbr");
   for (const std::uint64_t number : {3U, 20U + 3U}) {  // a radius, a mass
     std::string bytes = whole;
     bytes.replace(reader.spheres().offset + 8 * number, 8, 8, '\0');
-    write_text(folder / "recording.hbr", with_true_checksums(bytes));
-    EXPECT_THROW(RecordingReader(folder / "recording.hbr"), Error) << number;
+    write_text(folder_ / "recording.hbr", with_true_checksums(bytes));
+    EXPECT_THROW(RecordingReader(folder_ / "recording.hbr"), Error) << number;
   }
 }
 
-TEST(RecordedBodies, GoOnFromChunkToChunk) {
-  const ScratchFolder folder;
-  record_bodies(folder / "recording.hbr", drops_and_mist(150), 12, 1, [](const Simulation&) {});
-  RecordingReader reader(folder / "recording.hbr");
-  ASSERT_GT(reader.chunks().size(), 2U);
-  for (std::size_t k = 1; k < reader.chunks().size(); ++k) {
-    const RecordedChunk before = reader.read(k - 1);
-    EXPECT_EQ(reader.read(k).keyframe, before.paths_at(before.end)) << k;
-    EXPECT_EQ(reader.read(k).bodies, before.bodies_at(before.end)) << k;
-  }
-}
-
-TEST(RecordedBodies, OutcomesCanBeTold) {
-  const ScratchFolder folder;
-  const Recorded run = record_bodies(folder / "recording.hbr", drops_and_mist(90), 8);
-  RecordingReader reader(folder / "recording.hbr");
-  std::array<std::uint64_t, 3> outcomes{};
-  for (std::size_t k = 0; k < reader.chunks().size(); ++k) {
-    for (const RecordedContact& contact : reader.read(k).contacts)
-      ++outcomes[static_cast<int>(contact.outcome)];
-  }
-  const Tally& tally = run.simulation.tally();
-  EXPECT_EQ(outcomes, (std::array{tally.collisions() - tally.mergers() - tally.passes(), tally.passes(),
-                                  tally.mergers()}));
-}
-
-TEST(RecordedBodies, HaveSpecies) {
-  const ScratchFolder folder;
-  record_bodies(folder / "recording.hbr", drops_and_mist(90), 0.1);
-  const RecordingReader reader(folder / "recording.hbr");
+TEST_F(RecordedBodies, HaveSpecies) {
+  record_bodies(folder_ / "recording.hbr", drops_and_mist(90), 0.1);
+  const RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_EQ(reader.header().has_bodies, true);
   EXPECT_EQ(reader.header().species_names, (std::vector<std::string>{"drop", "mist"}));
   std::vector<SpeciesId> species(30, 0);
@@ -1017,12 +813,11 @@ TEST(RecordedBodies, HaveSpecies) {
 
 // A quarter turn about z, then one about x, of a sphere that is sent off in between: what was x points to y,
 // and then to z.
-TEST(RecordedBodies, TurnAsTheySpin) {
-  const ScratchFolder folder;
+TEST_F(RecordedBodies, TurnAsTheySpin) {
   constexpr double kQuarter = std::numbers::pi / 2;
   World world(Box::walls({10, 10, 10}));
   world.add({.position = {5, 5, 5}, .spin = {0, 0, kQuarter}});
-  RecordingWriter writer(folder / "recording.hbr", {}, world);
+  RecordingWriter writer(folder_ / "recording.hbr", {}, world);
   VelocityChange change;
   change.time = Time(1);
   change.position = {5, 5, 5};
@@ -1032,7 +827,7 @@ TEST(RecordedBodies, TurnAsTheySpin) {
   SphereEdit(world, change.time, 0).store_spin(0, {});
   writer.note(change, world);
   writer.close(4);
-  RecordingReader reader(folder / "recording.hbr");
+  RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_EQ(reader.header().has_bodies, true) << "a sphere spins";
   const RecordedChunk chunk = reader.read(0);
   EXPECT_EQ(chunk.bodies[0].orientation, Orientation());
@@ -1046,14 +841,13 @@ TEST(RecordedBodies, TurnAsTheySpin) {
   EXPECT_EQ(chunk.bodies_at(2)[0].orientation, once) << "that at the start of the path";
 }
 
-TEST(RecordedBodies, OfSpheresThatDoNotSpinAreUpright) {
-  const ScratchFolder folder;
+TEST_F(RecordedBodies, OfSpheresThatDoNotSpinAreUpright) {
   World world(Box::flat_periodic(10, 10));
   world.add({.position = {2, 2, 0}, .radius = 0.5, .mass = 3});
-  RecordingWriter(folder / "recording.hbr", {.restitution = std::nan("")}, world).close(1);
-  RecordingReader reader(folder / "recording.hbr");
+  RecordingWriter(folder_ / "recording.hbr", {.restitution = std::nan("")}, world).close(1);
+  RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_EQ(reader.header().has_bodies, false);
-  EXPECT_TRUE(read_text(folder / "recording.hbr").starts_with("HBREC003"));
+  EXPECT_TRUE(read_text(folder_ / "recording.hbr").starts_with("HBREC003"));
   EXPECT_TRUE(reader.header().box.is_flat());
   EXPECT_TRUE(std::isnan(reader.header().restitution));
   EXPECT_TRUE(nlohmann::json::parse(reader.header_text())["restitution"].is_null());
@@ -1064,69 +858,9 @@ TEST(RecordedBodies, OfSpheresThatDoNotSpinAreUpright) {
   EXPECT_EQ(reader.read(0).bodies.at(0), (RecordedBody{.radius = 0.5, .mass = 3}));
 }
 
-// Two spheres merge at time 1.
-std::string merger(const ScratchFolder& folder) {
-  World world(Box::open());
-  world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
-  world.add({.position = {4, 1, 0}, .velocity = {-1, 0, 0}, .radius = 1});
-  record_bodies(folder / "merger.hbr", std::move(world), 3);
-  return read_text(folder / "merger.hbr");
-}
-
-TEST(RecordedBodies, AreReadOrRefusedWhateverTheFileContains) {
-  const ScratchFolder folder;
-  const std::string bytes = merger(folder);
-  const std::uint64_t chunk = RecordingReader(folder / "merger.hbr").chunks().at(0).bytes.offset;
-  EXPECT_EQ(bytes.size() - chunk, kLayout.chunk_bytes(2, 1));
-  for (std::size_t length = 0; length < bytes.size(); ++length) {
-    ASSERT_EQ(is_read(folder, bytes.substr(0, length)), length >= chunk) << length;
-  }
-  std::size_t refused = 0;
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    for (const unsigned flip : {0x01U, 0xffU}) {
-      std::string flipped = bytes;
-      flipped[at] = static_cast<char>(static_cast<unsigned char>(flipped[at]) ^ flip);
-      if (!is_read(folder, with_true_checksums(flipped))) ++refused;
-    }
-  }
-  EXPECT_GT(refused, 0U);
-}
-
-TEST(RecordedBodies, ThatNoRunCanProduceAreRefused) {
-  const ScratchFolder folder;
-  const std::string bytes = merger(folder);
-  const std::size_t chunk = RecordingReader(folder / "merger.hbr").chunks().at(0).bytes.offset;
-  const std::size_t body =
-      chunk + recording_format::Layout::kSummedHeadBytes + 2 * recording_format::Layout::kPathBytes;
-  const std::size_t contact =
-      bytes.size() - recording_format::Layout::kChecksumBytes - kLayout.contact_bytes();
-  const auto with = [&](std::size_t at, const std::string& replacement) {
-    std::string changed = bytes;
-    changed.replace(at, replacement.size(), replacement);
-    return with_true_checksums(changed);
-  };
-  const std::string nan = "\xff\xff\xff\xff\xff\xff\xff\xff";
-  const std::string zero(8, '\0');
-  ASSERT_TRUE(is_read(folder, bytes));
-  EXPECT_FALSE(is_read(folder, with(0, "HBREC002"))) << "version";
-  EXPECT_FALSE(is_read(folder, with(body, nan))) << "spin";
-  EXPECT_FALSE(is_read(folder, with(body + 48, zero))) << "orientation";
-  EXPECT_FALSE(is_read(folder, with(body + 56, zero))) << "radius of what has a mass";
-  EXPECT_FALSE(is_read(folder, with(body + 64, zero))) << "mass";
-  EXPECT_FALSE(is_read(folder, with(body + 72, nan))) << "moment";
-  EXPECT_FALSE(is_read(folder, with(contact + 16, std::string(1, '\3') + std::string(7, '\0')))) << "outcome";
-  EXPECT_FALSE(is_read(folder, with(contact + 12, "\xff\xff\xff\xff"))) << "a wall merges with nothing";
-  EXPECT_FALSE(is_read(folder, with(contact + 72, nan))) << "spin";
-  EXPECT_FALSE(is_read(folder, with(contact + 120, zero))) << "radius of the merged sphere";
-}
-
-TEST(RecordedBodies, NeedRunsOfSpeciesThatNameAllSpheres) {
+TEST_F(RecordedBodies, NeedRunsOfSpeciesThatNameAllSpheres) {
   const auto species_in = [](const std::string& species) {
-    return parse_recording_header(
-               R"({"spheres": 3, "bodies": true, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]},
-                   "species": )" +
-                   species + "}",
-               "test")
+    return parse_recording_header(R"({"spheres": 3, )" + kBox + R"(, "species": )" + species + "}", "test")
         .species;
   };
   EXPECT_EQ(species_in(R"({"runs": [[4, 1], [2, 2]]})"), (std::vector<SpeciesId>{4, 2, 2}));
@@ -1144,7 +878,7 @@ TEST(RecordedBodies, NeedRunsOfSpeciesThatNameAllSpheres) {
 
 // Writes in two sittings, each with a part of the chunks.
 Simulation record(const std::filesystem::path& path, Boundary boundary) {
-  Simulation simulation(support::make_gas({.count = 200, .packing_fraction = 0.2, .boundary = boundary}));
+  Simulation simulation(make_gas({.count = 200, .packing_fraction = 0.2, .boundary = boundary}));
   simulation.grow({.rate = 0.1, .until_packing_fraction = 0.5});
   std::optional<RecordingWriter> writer;
   writer.emplace(path, recording_header(simulation), simulation.world());
@@ -1199,9 +933,205 @@ TEST(RecordedGrowth, HasSpheresTouchAtTheirContacts) {
 // Spheres that do not grow are recorded in the version that earlier readers know.
 TEST(RecordedGrowth, IsNotInOtherRecordings) {
   const ScratchFolder folder;
-  Simulation simulation(support::make_gas({.count = 20, .packing_fraction = 0.2}));
+  Simulation simulation(make_gas({.count = 20, .packing_fraction = 0.2}));
   RecordingWriter(folder / "run.hbr", recording_header(simulation), simulation.world()).close(0);
   EXPECT_EQ(RecordingReader(folder / "run.hbr").header().layout().version(), 3);
+}
+
+// Files that are cut off, damaged, or made up.
+
+// A file of three spheres in two chunks.
+std::string small_recording(const ScratchFolder& folder) {
+  Simulation simulation(make_mixture());
+  RecordingWriter writer(folder / "small.hbr", {.until = 30, .name = "small"}, simulation.world());
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+  simulation.run_until(2);
+  writer.flush();
+  simulation.run_until(4);
+  writer.close(4);
+  return read_text(folder / "small.hbr");
+}
+
+// Two spheres merge at time 1.
+std::string merger(const ScratchFolder& folder) {
+  World world(Box::open());
+  world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
+  world.add({.position = {4, 1, 0}, .velocity = {-1, 0, 0}, .radius = 1});
+  record_bodies(folder / "merger.hbr", std::move(world), 3);
+  return read_text(folder / "merger.hbr");
+}
+
+// Reads everything in the bytes; false if they are refused by an Error.
+bool is_read(const ScratchFolder& folder, const std::string& bytes) {
+  write_text(folder / "tried.hbr", bytes);
+  try {
+    RecordingReader reader(folder / "tried.hbr");
+    for (std::size_t chunk = 0; chunk < reader.chunks().size(); ++chunk) {
+      const RecordedChunk recorded = reader.read(chunk);
+      EXPECT_EQ(recorded.paths_at(recorded.end).size(), reader.header().spheres);
+      EXPECT_EQ(recorded.bodies_at(recorded.end).size(), reader.header().spheres);
+    }
+    EXPECT_LE(reader.length(), bytes.size());
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+TEST_F(Recording, TruncatedAnywhereItShowsTheCompleteChunks) {
+  for (const auto& make : {small_recording, merger}) {
+    const std::string bytes = make(folder_);
+    write_text(folder_ / "whole.hbr", bytes);
+    const std::vector<ChunkExtent> chunks = RecordingReader(folder_ / "whole.hbr").chunks();
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+      ASSERT_EQ(is_read(folder_, bytes.substr(0, length)), length >= chunks[0].bytes.offset) << length;
+      if (length < chunks[0].bytes.offset) continue;
+      const bool has_first = chunks.size() > 1 && length >= chunks[1].bytes.offset;
+      ASSERT_EQ(RecordingReader(folder_ / "tried.hbr").chunks().size(), has_first ? 1U : 0U) << length;
+    }
+  }
+}
+
+TEST_F(Recording, WhateverItContainsIsReadOrRefused) {
+  for (const std::string& bytes : {small_recording(folder_), merger(folder_)}) {
+    std::size_t refused = 0;
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      for (const unsigned flip : {0x01U, 0xffU}) {
+        std::string flipped = bytes;
+        flipped[at] = static_cast<char>(static_cast<unsigned char>(flipped[at]) ^ flip);
+        if (!is_read(folder_, with_true_checksums(flipped))) ++refused;
+      }
+    }
+    EXPECT_GT(refused, 0U);
+  }
+}
+
+TEST_F(Recording, NoFlippedBitPasses) {
+  for (const std::string& bytes : {small_recording(folder_), merger(folder_)}) {
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      for (int bit = 0; bit < 8; ++bit) {
+        std::string flipped = bytes;
+        flipped[at] = static_cast<char>(flipped[at] ^ (1 << bit));
+        ASSERT_FALSE(is_read(folder_, flipped)) << "byte " << at << ", bit " << bit;
+      }
+    }
+  }
+}
+
+TEST_F(Recording, TellsWhereItIsDamagedAndShowsWhatComesBefore) {
+  const std::string bytes = small_recording(folder_);
+  RecordingReader whole(folder_ / "small.hbr");
+  const ChunkExtent second = whole.chunks().at(1);
+  const RecordedChunk first = whole.read(0);
+  const auto damaged_at = [&](std::uint64_t at) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ 1);
+    write_text(folder_ / "damaged.hbr", changed);
+  };
+  const std::string where = "damaged after time " + to_text(second.begin) + ": chunk 1, at byte " +
+                            to_text(second.bytes.offset) + ", ";
+  for (const auto& [at, what] : {std::pair<std::uint64_t, std::string>{
+                                     second.bytes.offset + 9, "has a head that does not match its checksum"},
+                                 {second.bytes.offset + 100, "does not match its checksum"},
+                                 {bytes.size() - 1, "does not match its checksum"}}) {
+    damaged_at(at);
+    RecordingReader reader(folder_ / "damaged.hbr", OnDamage::keep_what_comes_before);
+    std::size_t taken = 0;
+    reader.verify([&](const RecordedChunk& chunk) {
+      ++taken;
+      EXPECT_EQ(chunk.contacts, first.contacts);
+    });
+    EXPECT_EQ(taken, 1U);
+    EXPECT_EQ(reader.chunks().size(), 1U);
+    EXPECT_EQ(reader.reached(), first.end);
+    EXPECT_EQ(reader.length(), second.bytes.offset);
+    ASSERT_TRUE(reader.damage());
+    EXPECT_NE(reader.damage()->find(where + what), std::string::npos) << *reader.damage();
+    reader.refresh();
+    EXPECT_EQ(reader.chunks().size(), 1U);
+  }
+  EXPECT_EQ(RecordingReader(folder_ / "damaged.hbr").read(0).contacts, first.contacts);
+  EXPECT_THROW(RecordingReader(folder_ / "damaged.hbr").read(1), Error);
+  EXPECT_THROW(RecordingReader(folder_ / "damaged.hbr").verify(), Error);
+  whole.verify();
+  EXPECT_FALSE(whole.damage());
+  damaged_at(whole.spheres().offset);
+  EXPECT_THROW(RecordingReader(folder_ / "damaged.hbr", OnDamage::keep_what_comes_before), Error);
+}
+
+struct Forgery {
+  std::size_t at;
+  std::string replacement;
+  std::string what;
+};
+
+const std::string kNan = "\xff\xff\xff\xff\xff\xff\xff\xff";
+const std::string kZero(8, '\0');
+
+void expect_refused(const ScratchFolder& folder, const std::string& bytes,
+                    const std::vector<Forgery>& forgeries) {
+  ASSERT_TRUE(is_read(folder, bytes));
+  for (const Forgery& forgery : forgeries) {
+    std::string changed = bytes;
+    changed.replace(forgery.at, forgery.replacement.size(), forgery.replacement);
+    EXPECT_FALSE(is_read(folder, with_true_checksums(changed))) << forgery.what;
+  }
+}
+
+TEST_F(Recording, RefusesWhatNoRunCanProduce) {
+  const std::string bytes = small_recording(folder_);
+  const RecordingReader whole(folder_ / "small.hbr");
+  const std::size_t chunk = whole.chunks()[0].bytes.offset;
+  const std::size_t path = chunk + recording_format::Layout::kSummedHeadBytes;
+  const std::size_t contact =
+      bytes.size() - recording_format::Layout::kChecksumBytes - whole.header().layout().contact_bytes();
+  const std::string three("\x03\x00\x00\x00", 4);
+  const std::string most = "\xff\xff\xff\xff";
+  expect_refused(folder_, bytes,
+                 {{0, "HBREC004", "version"},
+                  {8, most, "length of the header"},
+                  {whole.spheres().offset, kNan, "radius"},
+                  {chunk, "CHUM", "begin of a chunk"},
+                  {chunk + 4, most, "number of contacts"},
+                  {chunk + 8, kNan, "length of a chunk"},
+                  {chunk + 16, kNan, "begin"},
+                  {chunk + 24, kNan, "end"},
+                  {path, kNan, "position"},
+                  {path + 48, kNan, "start of a path"},
+                  {contact, kNan, "time"},
+                  {contact, kZero, "time"},
+                  {contact + 8, three, "first"},
+                  {contact + 12, three, "second"},
+                  {contact + 12, "\xf9\xff\xff\xff", "surface"},
+                  {contact + 16, kNan, "position"}});
+}
+
+TEST_F(RecordedBodies, ThatNoRunCanProduceAreRefused) {
+  const std::string bytes = merger(folder_);
+  const std::size_t chunk = RecordingReader(folder_ / "merger.hbr").chunks().at(0).bytes.offset;
+  EXPECT_EQ(bytes.size() - chunk, kLayout.chunk_bytes(2, 1));
+  const std::size_t body =
+      chunk + recording_format::Layout::kSummedHeadBytes + 2 * recording_format::Layout::kPathBytes;
+  const std::size_t contact =
+      bytes.size() - recording_format::Layout::kChecksumBytes - kLayout.contact_bytes();
+  expect_refused(folder_, bytes,
+                 {{0, "HBREC002", "version"},
+                  {body, kNan, "spin"},
+                  {body + 48, kZero, "orientation"},
+                  {body + 56, kZero, "radius of what has a mass"},
+                  {body + 64, kZero, "mass"},
+                  {body + 72, kNan, "moment"},
+                  {contact + 16, std::string(1, '\3') + std::string(7, '\0'), "outcome"},
+                  {contact + 12, "\xff\xff\xff\xff", "a wall merges with nothing"},
+                  {contact + 72, kNan, "spin"},
+                  {contact + 120, kZero, "radius of the merged sphere"}});
+}
+
+// Its header announces more than any memory holds.
+TEST_F(Recording, AllocatesNoMoreMemoryThanTheFileJustifies) {
+  const std::string json = R"({"spheres": 4000000000, )" + kBox + "}";
+  const std::string length{static_cast<char>(json.size()), '\0', '\0', '\0'};
+  EXPECT_FALSE(is_read(folder_, "HBREC003" + length + json + std::string(1000, '\0')));
 }
 
 }  // namespace

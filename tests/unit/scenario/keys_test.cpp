@@ -12,7 +12,6 @@
 #include <sstream>
 #include <string>
 
-#include "hardball/errors/error.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/scenario/schema.hpp"

@@ -23,8 +23,7 @@
 namespace hardball::make_world_test {
 namespace {
 
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 SphereGroup make_group(std::size_t count, VelocityRule rule, double scale) {
   SphereGroup group;
@@ -36,11 +35,38 @@ SphereGroup make_group(std::size_t count, VelocityRule rule, double scale) {
   return group;
 }
 
-Scenario make_scenario(Boundary boundary, double size) {
+Scenario make_scenario(Boundary boundary, double size, const std::vector<SphereGroup>& spheres = {}) {
   Scenario scenario;
   scenario.name = "gas.toml";
   for (Scenario::Axis& axis : scenario.box) axis = {boundary, size};
+  scenario.spheres = spheres;
   return scenario;
+}
+
+// A world that starts from a file in a folder of its own.
+class StartFile : public testing::Test {
+ protected:
+  // In a box of this edge.
+  Scenario start_with(const std::string& name, const std::string& text, Boundary boundary, double size = 10) {
+    write_text(folder_ / name, text);
+    Scenario scenario = make_scenario(boundary, size);
+    scenario.start_file = folder_ / name;
+    return scenario;
+  }
+
+  ScratchFolder folder_;
+};
+
+// What make_world says of a scenario.
+std::string notes_of(const Scenario& scenario) {
+  std::string notes;
+  make_world(scenario, {}, [&](const std::string& note) { notes += note; });
+  return notes;
+}
+
+void expect_refused(const Scenario& scenario, const std::string& part) {
+  const std::string refusal = refusal_of([&] { make_world(scenario); });
+  EXPECT_NE(refusal.find(part), std::string::npos) << refusal;
 }
 
 double mean_speed(const World& world, Slot begin, Slot end) {
@@ -57,18 +83,13 @@ double temperature(const World& world, Slot begin, Slot end) {
   return sum / (end - begin) / 3;
 }
 
-std::string error_of(const Scenario& scenario) {
-  return support::refusal_of([&] { make_world(scenario); });
-}
-
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
 TEST(MakeWorld, PlacesWithoutOverlapInsideTheBox) {
   for (const Boundary boundary : {Boundary::wall, Boundary::periodic, Boundary::open}) {
-    Scenario scenario = make_scenario(boundary, 10);
-    scenario.spheres = {make_group(200, VelocityRule::speed, 1)};
+    Scenario scenario = make_scenario(boundary, 10, {make_group(200, VelocityRule::speed, 1)});
     const World world = make_world(scenario);
     ASSERT_EQ(world.size(), 200U);
     EXPECT_EQ(audit(world, Time(0)).max_overlap, 0);
@@ -82,8 +103,7 @@ TEST(MakeWorld, PlacesWithoutOverlapInsideTheBox) {
 }
 
 TEST(MakeWorld, IsAFunctionOfTheSeed) {
-  Scenario scenario = make_scenario(Boundary::wall, 10);
-  scenario.spheres = {make_group(50, VelocityRule::temperature, 1)};
+  Scenario scenario = make_scenario(Boundary::wall, 10, {make_group(50, VelocityRule::temperature, 1)});
   const World first = make_world(scenario);
   const World again = make_world(scenario);
   scenario.seed = 2;
@@ -93,8 +113,7 @@ TEST(MakeWorld, IsAFunctionOfTheSeed) {
 }
 
 TEST(MakeWorld, PositionsDoNotDependOnTheVelocityRule) {
-  Scenario scenario = make_scenario(Boundary::wall, 10);
-  scenario.spheres = {make_group(50, VelocityRule::temperature, 1)};
+  Scenario scenario = make_scenario(Boundary::wall, 10, {make_group(50, VelocityRule::temperature, 1)});
   const World warm = make_world(scenario);
   scenario.spheres = {make_group(50, VelocityRule::speed, 0)};
   const World cold = make_world(scenario);
@@ -126,8 +145,9 @@ TEST(MakeWorld, PlacesAroundZeroAlongAnOpenAxisWithoutSize) {
 }
 
 TEST(MakeWorld, PutsEqualSpheresOnALattice) {
-  Scenario scenario = make_scenario(Boundary::periodic, 10);
-  scenario.spheres = {make_group(500, VelocityRule::speed, 1), make_group(500, VelocityRule::speed, 2)};
+  Scenario scenario =
+      make_scenario(Boundary::periodic, 10,
+                    {make_group(500, VelocityRule::speed, 1), make_group(500, VelocityRule::speed, 2)});
   for (SphereGroup& group : scenario.spheres) group.placement = Placement::fcc;
   const World world = make_world(scenario);
   EXPECT_EQ(world.size(), 1000U);
@@ -150,9 +170,9 @@ TEST(MakeWorld, TakesListedSpheres) {
 
 TEST(MakeWorld, GivesTheExactMeanSpeed) {
   for (const Boundary boundary : {Boundary::wall, Boundary::periodic}) {
-    Scenario scenario = make_scenario(boundary, 20);
-    scenario.spheres = {make_group(300, VelocityRule::mean_speed, 17.25),
-                        make_group(1, VelocityRule::mean_speed, 2)};
+    Scenario scenario = make_scenario(
+        boundary, 20,
+        {make_group(300, VelocityRule::mean_speed, 17.25), make_group(1, VelocityRule::mean_speed, 2)});
     const World world = make_world(scenario);
     EXPECT_NEAR(mean_speed(world, 0, 300), 17.25, 1e-13);
     EXPECT_NEAR(mean_speed(world, 300, 301), 2, 1e-14);
@@ -161,9 +181,9 @@ TEST(MakeWorld, GivesTheExactMeanSpeed) {
 
 TEST(MakeWorld, GivesTheExactTemperature) {
   for (const Boundary boundary : {Boundary::wall, Boundary::periodic}) {
-    Scenario scenario = make_scenario(boundary, 20);
-    scenario.spheres = {make_group(300, VelocityRule::temperature, 2.5),
-                        make_group(100, VelocityRule::temperature, 2.5)};
+    Scenario scenario = make_scenario(
+        boundary, 20,
+        {make_group(300, VelocityRule::temperature, 2.5), make_group(100, VelocityRule::temperature, 2.5)});
     scenario.spheres[1].mass = 1000;
     const World world = make_world(scenario);
     EXPECT_NEAR(temperature(world, 0, 300), 2.5, 1e-13);
@@ -172,9 +192,9 @@ TEST(MakeWorld, GivesTheExactTemperature) {
 }
 
 TEST(MakeWorld, DrawsRadiiAndGivesMassesByDensity) {
-  Scenario scenario = make_scenario(Boundary::periodic, 20);
-  scenario.spheres = {make_group(300, VelocityRule::temperature, 2.5),
-                      make_group(100, VelocityRule::temperature, 2.5)};
+  Scenario scenario = make_scenario(
+      Boundary::periodic, 20,
+      {make_group(300, VelocityRule::temperature, 2.5), make_group(100, VelocityRule::temperature, 2.5)});
   RadiusDistribution radii;
   radii.kind = RadiusDistribution::Kind::uniform;
   radii.min = 0.1;
@@ -208,19 +228,17 @@ TEST(MakeWorld, DrawsRadiiAndGivesMassesByDensity) {
 }
 
 TEST(MakeWorld, RefusesALatticeOfDistributedRadii) {
-  Scenario scenario = make_scenario(Boundary::wall, 10);
-  scenario.spheres = {make_group(5, VelocityRule::speed, 0)};
+  Scenario scenario = make_scenario(Boundary::wall, 10, {make_group(5, VelocityRule::speed, 0)});
   scenario.spheres[0].placement = Placement::fcc;
   RadiusDistribution radii;
   radii.min = 0.1;
   radii.max = 0.6;
   scenario.spheres[0].distribution = radii;
-  EXPECT_TRUE(contains(error_of(scenario), "one radius")) << error_of(scenario);
+  expect_refused(scenario, "one radius");
 }
 
 TEST(MakeWorld, GivesMaxwellVelocities) {
-  Scenario scenario = make_scenario(Boundary::wall, 60);
-  scenario.spheres = {make_group(20000, VelocityRule::temperature, 1)};
+  Scenario scenario = make_scenario(Boundary::wall, 60, {make_group(20000, VelocityRule::temperature, 1)});
   const World world = make_world(scenario);
   double fourth = 0;
   for (const Path& path : world.paths()) fourth += std::pow(path.velocity.x, 4);
@@ -229,15 +247,13 @@ TEST(MakeWorld, GivesMaxwellVelocities) {
 }
 
 TEST(MakeWorld, GivesTheExactSpeedToEach) {
-  Scenario scenario = make_scenario(Boundary::periodic, 20);
-  scenario.spheres = {make_group(100, VelocityRule::speed, 3)};
+  Scenario scenario = make_scenario(Boundary::periodic, 20, {make_group(100, VelocityRule::speed, 3)});
   const World world = make_world(scenario);
   for (const Path& path : world.paths()) EXPECT_NEAR(length(path.velocity), 3, 1e-15 * 3 * 4);
 }
 
 TEST(MakeWorld, LeavesNoMomentumInAPeriodicBox) {
-  Scenario scenario = make_scenario(Boundary::periodic, 20);
-  scenario.spheres = {make_group(2, VelocityRule::mean_speed, 5)};
+  Scenario scenario = make_scenario(Boundary::periodic, 20, {make_group(2, VelocityRule::mean_speed, 5)});
   EXPECT_LT(length(momentum(make_world(scenario), Time(0))), 1e-14);
   scenario.spheres = {make_group(300, VelocityRule::temperature, 1),
                       make_group(10, VelocityRule::mean_speed, 2)};
@@ -246,8 +262,7 @@ TEST(MakeWorld, LeavesNoMomentumInAPeriodicBox) {
 }
 
 TEST(MakeWorld, KeepsMomentumWhereItIsNotConservedOrPrescribed) {
-  Scenario scenario = make_scenario(Boundary::wall, 20);
-  scenario.spheres = {make_group(100, VelocityRule::temperature, 1)};
+  Scenario scenario = make_scenario(Boundary::wall, 20, {make_group(100, VelocityRule::temperature, 1)});
   EXPECT_GT(length(momentum(make_world(scenario), Time(0))), 1e-3);
   scenario = make_scenario(Boundary::periodic, 20);
   scenario.spheres = {make_group(100, VelocityRule::speed, 1)};
@@ -258,20 +273,17 @@ TEST(MakeWorld, KeepsMomentumWhereItIsNotConservedOrPrescribed) {
 
 TEST(MakeWorld, AllowsRest) {
   for (const VelocityRule rule : {VelocityRule::mean_speed, VelocityRule::temperature, VelocityRule::speed}) {
-    Scenario scenario = make_scenario(Boundary::periodic, 20);
-    scenario.spheres = {make_group(10, rule, 0)};
+    Scenario scenario = make_scenario(Boundary::periodic, 20, {make_group(10, rule, 0)});
     EXPECT_EQ(kinetic_energy(make_world(scenario), Time(0)), 0);
   }
 }
 
-TEST(MakeWorld, ReadsTheStartFile) {
-  const ScratchFolder folder;
-  write_text(folder / "start.xyz",
-             "2\nProperties=id:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1\n"
-             "5 1 2 3 0.5 0 0 0.25 2\n"
-             "4 11 2 3 0 0 0 0.125 3\n");
-  Scenario scenario = make_scenario(Boundary::periodic, 10);
-  scenario.start_file = folder / "start.xyz";
+TEST_F(StartFile, ReadsTheStartFile) {
+  Scenario scenario = start_with("start.xyz",
+                                 "2\nProperties=id:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1\n"
+                                 "5 1 2 3 0.5 0 0 0.25 2\n"
+                                 "4 11 2 3 0 0 0 0.125 3\n",
+                                 Boundary::periodic);
   const World world = make_world(scenario);
   ASSERT_EQ(world.size(), 2U);
   EXPECT_EQ(world.path(0).position, (Vec3{1, 2, 3}));
@@ -280,16 +292,10 @@ TEST(MakeWorld, ReadsTheStartFile) {
   EXPECT_EQ(world.path(1).velocity, (Vec3{0.5, 0, 0}));
 }
 
-TEST(MakeWorld, SaysThatTheStartFileHasAnotherBox) {
-  const ScratchFolder folder;
+TEST_F(StartFile, SaysThatTheStartFileHasAnotherBox) {
   const auto note_of = [&](const std::string& comment, Boundary boundary) {
-    write_text(folder / "start.xyz",
-               "1\n" + comment + " Properties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 0 0 0 0.25\n");
-    Scenario scenario = make_scenario(boundary, 10);
-    scenario.start_file = folder / "start.xyz";
-    std::string notes;
-    make_world(scenario, {}, [&](const std::string& note) { notes += note; });
-    return notes;
+    const std::string text = "1\n" + comment + " Properties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 0 0 0 0.25\n";
+    return notes_of(start_with("start.xyz", text, boundary));
   };
   const std::string ten = "Lattice=\"10 0 0 0 10 0 0 0 10\"";
   const std::string closed = ten + " pbc=\"F F F\"";
@@ -298,7 +304,7 @@ TEST(MakeWorld, SaysThatTheStartFileHasAnotherBox) {
   EXPECT_EQ(note_of(ten + " Origin=\"-5 -5 -5\"", Boundary::periodic), "");
   EXPECT_EQ(note_of(closed, Boundary::wall), "");
   EXPECT_EQ(note_of(closed + " unbounded=T Origin=\"1 1 1\"", Boundary::wall), "");
-  EXPECT_EQ(note_of(ten, Boundary::wall), "the box of " + (folder / "start.xyz").string() +
+  EXPECT_EQ(note_of(ten, Boundary::wall), "the box of " + (folder_ / "start.xyz").string() +
                                               ", 10 x 10 x 10, periodic along x, y, z, is not that of [box], "
                                               "which is used");
   EXPECT_NE(note_of(closed, Boundary::periodic), "");
@@ -306,12 +312,11 @@ TEST(MakeWorld, SaysThatTheStartFileHasAnotherBox) {
   EXPECT_NE(note_of("Lattice=\"10 0 0 0 10 0 0 0 10.5\"", Boundary::periodic), "");
 }
 
-TEST(MakeWorld, GivesTheSpheresOfAFileWithoutVelocitiesThoseOfTheScenario) {
-  const ScratchFolder folder;
-  write_text(folder / "start.sph", "3\n10 10 10\na 1 2 3 0.5\nb 4 -5 16 0.25\nc 7 8 9 0.5\n");
+TEST_F(StartFile, GivesTheSpheresOfAFileWithoutVelocitiesThoseOfTheScenario) {
+  write_text(folder_ / "start.sph", "3\n10 10 10\na 1 2 3 0.5\nb 4 -5 16 0.25\nc 7 8 9 0.5\n");
   Scenario scenario = make_scenario(Boundary::periodic, 10);
-  scenario.start_file = folder / "start.sph";
-  EXPECT_TRUE(contains(error_of(scenario), "no velocities")) << error_of(scenario);
+  scenario.start_file = folder_ / "start.sph";
+  expect_refused(scenario, "no velocities");
   scenario.start_velocity_rule = VelocityRule::temperature;
   scenario.start_velocity_scale = 2;
   const World world = make_world(scenario);
@@ -325,22 +330,18 @@ TEST(MakeWorld, GivesTheSpheresOfAFileWithoutVelocitiesThoseOfTheScenario) {
   EXPECT_EQ(make_world(scenario).path(0).velocity, Vec3{});
 }
 
-TEST(MakeWorld, RefusesTwoSourcesOfVelocities) {
-  const ScratchFolder folder;
-  write_text(folder / "start.csv", "x,y,z,vx,vy,vz,diameter\n1,2,3,4,5,6,0.5\n");
-  Scenario scenario = make_scenario(Boundary::periodic, 10);
-  scenario.start_file = folder / "start.csv";
+TEST_F(StartFile, RefusesTwoSourcesOfVelocities) {
+  Scenario scenario =
+      start_with("start.csv", "x,y,z,vx,vy,vz,diameter\n1,2,3,4,5,6,0.5\n", Boundary::periodic);
   EXPECT_EQ(make_world(scenario).base_radius(0), 0.25);
   scenario.start_velocity_rule = VelocityRule::mean_speed;
-  EXPECT_TRUE(contains(error_of(scenario), "has velocities")) << error_of(scenario);
+  expect_refused(scenario, "has velocities");
 }
 
 // A file of GSD without velocities says that they are zero, as one of LAMMPS that has them does.
-TEST(MakeWorld, GivesSpheresThatAreAllAtRestTheVelocitiesOfTheScenario) {
-  const ScratchFolder folder;
-  write_text(folder / "start.csv", "x,y,z,vx,vy,vz,radius\n1,2,3,0,0,0,0.5\n5,5,5,0,0,0,0.5\n");
-  Scenario scenario = make_scenario(Boundary::periodic, 10);
-  scenario.start_file = folder / "start.csv";
+TEST_F(StartFile, GivesSpheresThatAreAllAtRestTheVelocitiesOfTheScenario) {
+  Scenario scenario = start_with("start.csv", "x,y,z,vx,vy,vz,radius\n1,2,3,0,0,0,0.5\n5,5,5,0,0,0,0.5\n",
+                                 Boundary::periodic);
   EXPECT_EQ(kinetic_energy(make_world(scenario), Time(0)), 0);
   scenario.start_velocity_rule = VelocityRule::temperature;
   scenario.start_velocity_scale = 2;
@@ -348,16 +349,13 @@ TEST(MakeWorld, GivesSpheresThatAreAllAtRestTheVelocitiesOfTheScenario) {
   EXPECT_NEAR(kinetic_energy(make_world(scenario), Time(0)), 6, 1e-13);
 }
 
-TEST(MakeWorld, DrawsVelocitiesForTheMassesOfAFile) {
-  const ScratchFolder folder;
+TEST_F(StartFile, DrawsVelocitiesForTheMassesOfAFile) {
   std::string text = "x,y,z,radius,mass\n";
   for (int i = 0; i < 400; ++i) {
     const std::string place = to_text(i % 20 + 0.5) + "," + to_text(i / 20 + 0.5) + ",5,0.1,";
     text += place + (i == 0 ? "inf" : i % 2 == 0 ? "1" : "16") + "\n";
   }
-  write_text(folder / "start.csv", text);
-  Scenario scenario = make_scenario(Boundary::periodic, 20);
-  scenario.start_file = folder / "start.csv";
+  Scenario scenario = start_with("start.csv", text, Boundary::periodic, 20);
   scenario.start_velocity_rule = VelocityRule::temperature;
   scenario.start_velocity_scale = 2;
   const World world = make_world(scenario);
@@ -374,13 +372,11 @@ TEST(MakeWorld, DrawsVelocitiesForTheMassesOfAFile) {
 }
 
 // Touching spheres, in files of six digits.
-TEST(MakeWorld, ShrinksSpheresThatOverlapIfAsked) {
-  const ScratchFolder folder;
-  write_text(folder / "start.csv",
-             "x,y,z,vx,vy,vz,radius\n1,5,5,1,0,0,0.333334\n1.666667,5,5,0,0,0,0.333334\n"
-             "1,8,5,0,0,0,0.25\n");
-  Scenario scenario = make_scenario(Boundary::periodic, 10);
-  scenario.start_file = folder / "start.csv";
+TEST_F(StartFile, ShrinksSpheresThatOverlapIfAsked) {
+  Scenario scenario = start_with("start.csv",
+                                 "x,y,z,vx,vy,vz,radius\n1,5,5,1,0,0,0.333334\n1.666667,5,5,0,0,0,0.333334\n"
+                                 "1,8,5,0,0,0,0.25\n",
+                                 Boundary::periodic);
   EXPECT_GT(audit(make_world(scenario), Time(0)).max_overlap, 1e-6);
   scenario.shrinks_start = true;
   std::string notes;
@@ -392,13 +388,11 @@ TEST(MakeWorld, ShrinksSpheresThatOverlapIfAsked) {
   EXPECT_TRUE(contains(notes, "were multiplied by 0.9999985")) << notes;
 }
 
-TEST(MakeWorld, ShrinksSpheresThatReachThroughWallsIfAsked) {
-  const ScratchFolder folder;
-  write_text(folder / "start.csv", "x,y,z,vx,vy,vz,radius\n0.499999,5,5,1,0,0,0.5\n5,5,5,0,0,0,0.25\n");
-  Scenario scenario = make_scenario(Boundary::wall, 10);
-  scenario.start_file = folder / "start.csv";
-  EXPECT_TRUE(contains(error_of(scenario), "reaches through a wall")) << error_of(scenario);
-  EXPECT_TRUE(contains(error_of(scenario), "shrink = true in [start]")) << error_of(scenario);
+TEST_F(StartFile, ShrinksSpheresThatReachThroughWallsIfAsked) {
+  Scenario scenario = start_with(
+      "start.csv", "x,y,z,vx,vy,vz,radius\n0.499999,5,5,1,0,0,0.5\n5,5,5,0,0,0,0.25\n", Boundary::wall);
+  expect_refused(scenario, "reaches through a wall");
+  expect_refused(scenario, "shrink = true in [start]");
   scenario.shrinks_start = true;
   const World world = make_world(scenario);
   EXPECT_EQ(audit(world, Time(0)).max_escape, 0);
@@ -406,60 +400,46 @@ TEST(MakeWorld, ShrinksSpheresThatReachThroughWallsIfAsked) {
   EXPECT_NEAR(world.base_radius(1), 0.499999 / 2, 1e-15);
 }
 
-TEST(MakeWorld, ShrinksNothingThatDoesNotOverlap) {
-  const ScratchFolder folder;
-  write_text(folder / "start.csv", "x,y,z,vx,vy,vz,radius\n1,5,5,1,0,0,0.5\n2,5,5,0,0,0,0.5\n");
-  Scenario scenario = make_scenario(Boundary::periodic, 10);
-  scenario.start_file = folder / "start.csv";
+TEST_F(StartFile, ShrinksNothingThatDoesNotOverlap) {
+  Scenario scenario = start_with("start.csv", "x,y,z,vx,vy,vz,radius\n1,5,5,1,0,0,0.5\n2,5,5,0,0,0,0.5\n",
+                                 Boundary::periodic);
   scenario.shrinks_start = true;
-  std::string notes;
-  const World world = make_world(scenario, {}, [&](const std::string& note) { notes += note; });
-  EXPECT_EQ(world.base_radius(0), 0.5);
-  EXPECT_EQ(notes, "");
+  EXPECT_EQ(make_world(scenario).base_radius(0), 0.5);
+  EXPECT_EQ(notes_of(scenario), "");
 }
 
-TEST(MakeWorld, CannotShrinkSpheresWhoseCentersCoincide) {
-  const ScratchFolder folder;
-  write_text(folder / "start.csv", "x,y,z,radius\n1,5,5,0.5\n1,5,5,0.5\n");
-  Scenario scenario = make_scenario(Boundary::periodic, 10);
-  scenario.start_file = folder / "start.csv";
+TEST_F(StartFile, CannotShrinkSpheresWhoseCentersCoincide) {
+  Scenario scenario = start_with("start.csv", "x,y,z,radius\n1,5,5,0.5\n1,5,5,0.5\n", Boundary::periodic);
   scenario.start_velocity_rule = VelocityRule::temperature;
   scenario.shrinks_start = true;
-  EXPECT_TRUE(contains(error_of(scenario), "no radius is so small")) << error_of(scenario);
+  expect_refused(scenario, "no radius is so small");
 }
 
-TEST(MakeWorld, DoesNotMissBoundariesThatAFileDoesNotTell) {
-  const ScratchFolder folder;
-  write_text(folder / "start.data",
-             "title\n1 atoms\n1 atom types\n0 10 xlo xhi\n0 10 ylo yhi\n0 10 zlo zhi\n\nAtoms # sphere\n\n"
-             "1 1 1 1 5 5 5\n");
+TEST_F(StartFile, DoesNotMissBoundariesThatAFileDoesNotTell) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
-    Scenario scenario = make_scenario(boundary, 10);
-    scenario.start_file = folder / "start.data";
+    Scenario scenario = start_with(
+        "start.data",
+        "title\n1 atoms\n1 atom types\n0 10 xlo xhi\n0 10 ylo yhi\n0 10 zlo zhi\n\nAtoms # sphere\n\n"
+        "1 1 1 1 5 5 5\n",
+        boundary);
     scenario.start_velocity_rule = VelocityRule::temperature;
-    std::string notes;
-    make_world(scenario, {}, [&](const std::string& note) { notes += note; });
-    EXPECT_EQ(notes, "");
+    EXPECT_EQ(notes_of(scenario), "");
   }
 }
 
-TEST(MakeWorld, NamesTheLineOfABadSphereInTheStartFile) {
-  const ScratchFolder folder;
-  write_text(folder / "start.xyz",
+TEST_F(StartFile, NamesTheLineOfABadSphereInTheStartFile) {
+  write_text(folder_ / "start.xyz",
              "2\nProperties=pos:R:3:velo:R:3:radius:R:1\n"
              "1 2 3 0 0 0 0.25\n"
              "9.9 2 3 0 0 0 0.25\n");
   Scenario scenario = make_scenario(Boundary::wall, 10);
-  scenario.start_file = folder / "start.xyz";
-  EXPECT_TRUE(contains(error_of(scenario), "start.xyz:4: sphere 1: ")) << error_of(scenario);
+  scenario.start_file = folder_ / "start.xyz";
+  expect_refused(scenario, "start.xyz:4: sphere 1: ");
 }
 
-TEST(MakeWorld, RefusesAnEmptyStartFile) {
-  const ScratchFolder folder;
-  write_text(folder / "start.xyz", "0\nProperties=pos:R:3:velo:R:3:radius:R:1\n");
-  Scenario scenario = make_scenario(Boundary::wall, 10);
-  scenario.start_file = folder / "start.xyz";
-  EXPECT_TRUE(contains(error_of(scenario), "no spheres")) << error_of(scenario);
+TEST_F(StartFile, RefusesAnEmptyStartFile) {
+  Scenario scenario = start_with("start.xyz", "0\nProperties=pos:R:3:velo:R:3:radius:R:1\n", Boundary::wall);
+  expect_refused(scenario, "no spheres");
 }
 
 TEST(MakeWorld, NamesTheGroupOfABadSphere) {
@@ -468,40 +448,40 @@ TEST(MakeWorld, NamesTheGroupOfABadSphere) {
   group.placement = Placement::listed;
   group.positions = {{0.25, 5, 5}};
   scenario.spheres = {group};
-  EXPECT_TRUE(contains(error_of(scenario), "gas.toml:5:1: sphere 0: ")) << error_of(scenario);
+  expect_refused(scenario, "gas.toml:5:1: sphere 0: ");
 }
 
 TEST(MakeWorld, RefusesWhatDoesNotFit) {
-  Scenario scenario = make_scenario(Boundary::wall, 10);
-  scenario.spheres = {make_group(1, VelocityRule::speed, 0)};
+  Scenario scenario = make_scenario(Boundary::wall, 10, {make_group(1, VelocityRule::speed, 0)});
   scenario.spheres[0].radius = 6;
-  EXPECT_TRUE(contains(error_of(scenario), "diameter 12 exceeds")) << error_of(scenario);
+  expect_refused(scenario, "diameter 12 exceeds");
   scenario.spheres = {make_group(4000000000, VelocityRule::speed, 0)};
-  EXPECT_TRUE(contains(error_of(scenario), "cannot exist")) << error_of(scenario);
+  expect_refused(scenario, "cannot exist");
   scenario.spheres = {make_group(1200, VelocityRule::speed, 0)};  // 0.63
-  EXPECT_TRUE(contains(error_of(scenario), "fcc")) << error_of(scenario);
+  expect_refused(scenario, "fcc");
 }
 
 TEST(MakeWorld, RefusesALatticeOfUnequalSpheres) {
-  Scenario scenario = make_scenario(Boundary::wall, 10);
-  scenario.spheres = {make_group(5, VelocityRule::speed, 0), make_group(5, VelocityRule::speed, 0)};
+  Scenario scenario = make_scenario(
+      Boundary::wall, 10, {make_group(5, VelocityRule::speed, 0), make_group(5, VelocityRule::speed, 0)});
   for (SphereGroup& group : scenario.spheres) group.placement = Placement::fcc;
   scenario.spheres[1].radius = 0.25;
-  EXPECT_TRUE(contains(error_of(scenario), "one radius")) << error_of(scenario);
-  EXPECT_TRUE(contains(error_of(scenario), "placement = \"random\"")) << error_of(scenario);
+  expect_refused(scenario, "one radius");
+  expect_refused(scenario, "placement = \"random\"");
 }
 
 TEST(MakeWorld, RefusesToMixPlacements) {
-  Scenario scenario = make_scenario(Boundary::wall, 10);
-  scenario.spheres = {make_group(5, VelocityRule::speed, 0), make_group(5, VelocityRule::speed, 0)};
+  Scenario scenario = make_scenario(
+      Boundary::wall, 10, {make_group(5, VelocityRule::speed, 0), make_group(5, VelocityRule::speed, 0)});
   scenario.spheres[1].placement = Placement::fcc;
-  EXPECT_TRUE(contains(error_of(scenario), "different ways")) << error_of(scenario);
+  expect_refused(scenario, "different ways");
 }
 
 TEST(MakeWorld, PlacesSpheresAroundThoseThatAreListed) {
   for (const double radius : {0.27, 0.32}) {  // so dense that the random ones are placed at once, and grow
-    Scenario scenario = make_scenario(Boundary::periodic, 8);
-    scenario.spheres = {make_group(1800, VelocityRule::speed, 1), make_group(2, VelocityRule::listed, 0)};
+    Scenario scenario =
+        make_scenario(Boundary::periodic, 8,
+                      {make_group(1800, VelocityRule::speed, 1), make_group(2, VelocityRule::listed, 0)});
     scenario.spheres[0].radius = radius;
     scenario.spheres[1].placement = Placement::listed;
     scenario.spheres[1].positions = {{4, 4, 4}, {-1, 9, 4}};
@@ -523,8 +503,7 @@ TEST(MakePart, HasTheSpheresThatAreWanted) {
   std::vector<Scenario> scenarios;
   for (const VelocityRule rule : {VelocityRule::mean_speed, VelocityRule::temperature, VelocityRule::speed}) {
     for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
-      Scenario scenario = make_scenario(boundary, 12);
-      scenario.spheres = {make_group(500, rule, 1.5)};
+      Scenario scenario = make_scenario(boundary, 12, {make_group(500, rule, 1.5)});
       scenario.spheres[0].placement = Placement::fcc;
       scenario.spheres[0].mass = 2;
       scenarios.push_back(scenario);
@@ -609,7 +588,7 @@ TEST(MakeSimulation, HasTheResponseOfTheScenario) {
     const Scenario scenario = scenario_with(response);
     Simulation expected{make_world(scenario)};
     expected.run_until(2);
-    Simulation elastic(support::interacting(make_world(scenario), {}));
+    Simulation elastic(interacting(make_world(scenario), {}));
     elastic.run_until(2);
     EXPECT_NE(expected.event_log_hash(), elastic.event_log_hash()) << response;
     EXPECT_EQ(hash_with(scenario, {}), expected.event_log_hash()) << response;
@@ -622,7 +601,7 @@ const std::string kDiscs = "[box]\ndimensions = 2\nboundary = [\"periodic\", \"w
 const std::string kSpheres = "[[spheres]]\nplacement = \"random\"\nspeed = 1\n";
 
 std::string error_of(const std::string& text) {
-  return support::refusal_of([&] { parse_scenario(text, "gas.toml"); });
+  return refusal_of([&] { parse_scenario(text, "gas.toml"); });
 }
 
 void expect_refusal(const std::string& text, const std::string& problem, const std::string& remedy) {

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::scenario_test {
 namespace {
 
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 const std::string kText = R"([box]
 size = [10, 20.5, 30]
@@ -358,13 +358,9 @@ struct Refusal {
 class RefusedOverride : public testing::TestWithParam<Refusal> {};
 
 TEST_P(RefusedOverride, NamesPlaceAndProblem) {
-  try {
-    parse(kLeast, {GetParam().override_text});
-    FAIL() << "the override was accepted";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.where(), GetParam().where) << error.what();
-    EXPECT_NE(std::string(error.what()).find(GetParam().message), std::string::npos) << error.what();
-  }
+  const Error error = error_of([&] { parse(kLeast, {GetParam().override_text}); });
+  EXPECT_EQ(error.where(), GetParam().where) << error.what();
+  EXPECT_NE(std::string(error.what()).find(GetParam().message), std::string::npos) << error.what();
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -403,13 +399,9 @@ TEST(ParseScenario, RefusesMoreLevelsThanTheStackHolds) {
   for (const std::string& text :
        {dotted + " = 1", spaced + " = 1", "[" + dotted + "]", "[[" + dotted + "]]", "a = " + tables,
         "a = " + arrays, "x = {" + dotted + " = 1}", "a = \"\\\"\" # [\n" + dotted + " = 1"}) {
-    try {
-      parse_scenario(text, "gas.toml");
-      FAIL() << text.substr(0, 20);
-    } catch (const Error& error) {
-      EXPECT_NE(error.problem().find("more than 32 levels"), std::string::npos) << error.what();
-      EXPECT_LT(std::string(error.what()).size(), 400U);
-    }
+    const Error error = error_of([&] { parse_scenario(text, "gas.toml"); });
+    EXPECT_NE(error.problem().find("more than 32 levels"), std::string::npos) << error.what();
+    EXPECT_LT(std::string(error.what()).size(), 400U);
   }
   EXPECT_THROW(parse_scenario("", "gas.toml", std::vector<std::string>{dotted + "=1"}), Error);
 }
@@ -422,12 +414,8 @@ TEST(ParseScenario, DoesNotCountLevelsInStringsAndComments) {
   for (const std::string& value : {"\"" + brackets + dots + "\"", "'" + brackets + dots + "'",
                                    "1 # " + brackets + dots, "\"\"\"\n" + brackets + "\"" + dots + "\n\"\"\"",
                                    thrice + brackets + "\n" + dots + thrice, "\"\\\"" + brackets + "\""}) {
-    try {
-      parse_scenario("name = " + value, "gas.toml");
-      FAIL() << value;
-    } catch (const Error& error) {
-      EXPECT_NE(error.problem().find("unknown key 'name'"), std::string::npos) << error.what();
-    }
+    const Error error = error_of([&] { parse_scenario("name = " + value, "gas.toml"); });
+    EXPECT_NE(error.problem().find("unknown key 'name'"), std::string::npos) << error.what();
   }
 }
 
@@ -435,12 +423,8 @@ TEST(ParseScenario, ShortensWhatItQuotes) {
   const std::string endless(5'000'000, 'k');
   for (const std::string& text :
        {endless + " = 1", "[box]\nboundary = [\"" + endless + "\"]", endless + " = 1\n" + endless + " = 2"}) {
-    try {
-      parse_scenario(text, "gas.toml");
-      FAIL();
-    } catch (const Error& error) {
-      EXPECT_LT(std::string(error.what()).size(), 800U) << error.what();
-    }
+    const Error error = error_of([&] { parse_scenario(text, "gas.toml"); });
+    EXPECT_LT(std::string(error.what()).size(), 800U) << error.what();
   }
 }
 

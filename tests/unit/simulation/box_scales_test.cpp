@@ -87,11 +87,7 @@ void for_each_world(Visit&& visit) {
 
 TEST(BoxesOfEveryScale, HaveTheSameHistoryForAllPairsWithFewCrossings) {
   for_each_world([](const World& world) {
-    const auto run = [&world](EngineKind engine) {
-      EngineOptions options;
-      options.engine = engine;
-      return Simulation(world, options);
-    };
+    const auto run = [&world](EngineKind engine) { return Simulation(world, {.engine = engine}); };
     const RunLimits limits{.until = Time(5), .contacts = 10, .steps = 10000};
     Simulation all_pairs = run(EngineKind::all_pairs);
     const support::History expected = support::run_on(all_pairs, limits);
@@ -107,9 +103,7 @@ TEST(BoxesOfEveryScale, HaveTheSameHistoryForAllPairsWithFewCrossings) {
 
 TEST(BoxesOfEveryScale, AreRunByNeighborListsToo) {
   for_each_world([](const World& world) {
-    EngineOptions options;
-    options.engine = EngineKind::neighbors;
-    Simulation simulation(world, options);
+    Simulation simulation(world, {.engine = EngineKind::neighbors});
     // Balls are small compared with the box, so only the first steps are run.
     simulation.run({.until = Time(5), .steps = 100});
     simulation.validate();

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +22,8 @@
 
 namespace hardball::mutated_state_test {
 namespace {
+
+using namespace support;
 
 constexpr std::uint64_t kMutations = 1000;
 // The places in bytes that do not lie behind many zeros, of which the averages mostly consist.
@@ -84,25 +85,23 @@ TEST(MutatedState, OfASimulation) {
   std::uint64_t accepted = 0;
   for (std::uint64_t seed = 1; seed <= kWorlds; ++seed) {
     SCOPED_TRACE(seed);
-    const support::RandomWorld made =
-        seed % 2 == 0 ? support::make_furnished_world(seed) : support::make_responsive_flat_world(seed);
+    const RandomWorld made = seed % 2 == 0 ? make_furnished_world(seed) : make_responsive_flat_world(seed);
     Simulation simulation(made.world);
     simulation.set_thermostat(Thermostat(Andersen(1, 5 / made.until), seed));
     simulation.run({.until = Time(made.until), .contacts = 20, .steps = 1000});
-    accepted += accepted_of(support::cases(kMutations) / kWorlds, simulation.save(), seed,
+    accepted += accepted_of(cases(kMutations) / kWorlds, simulation.save(), seed,
                             [](const std::string& bytes) { Simulation::load(bytes).run({.steps = 100}); });
   }
-  EXPECT_GT(accepted, support::cases(kMutations) / 20);
-  EXPECT_LT(accepted, support::cases(kMutations));
+  EXPECT_GT(accepted, cases(kMutations) / 20);
+  EXPECT_LT(accepted, cases(kMutations));
 }
 
 TEST(MutatedState, OfMeasures) {
   std::uint64_t accepted = 0;
-  const std::uint64_t each = support::cases(kMutations) / measure_names().size();
+  const std::uint64_t each = cases(kMutations) / measure_names().size();
   for (const std::string_view name : measure_names()) {
     SCOPED_TRACE(name);
-    Simulation simulation(
-        support::make_gas({.count = 8, .packing_fraction = 0.2, .boundary = Boundary::wall}));
+    Simulation simulation(make_gas({.count = 8, .packing_fraction = 0.2, .boundary = Boundary::wall}));
     Measures measures({.names = {std::string(name)}, .every = 0.05});
     simulation.run({.until = Time(1), .contacts = 40}, measures);
     accepted += accepted_of(each, archived(measures), 1, [&](const std::string& bytes) {
@@ -119,21 +118,20 @@ TEST(MutatedState, OfMeasures) {
 }
 
 TEST(MutatedState, OfARecording) {
-  const support::ScratchFolder folder;
-  Simulation simulation(support::make_gas({.count = 8, .packing_fraction = 0.2}));
+  const ScratchFolder folder;
+  Simulation simulation(make_gas({.count = 8, .packing_fraction = 0.2}));
   RecordingWriter writer(folder / "recording.hbr", {.has_bodies = true}, simulation.world());
   simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
   simulation.run_contacts(20);
   const std::string state = writer.save();
   writer.close(simulation.time());
-  const std::string recording = support::read_text(folder / "recording.hbr");
-  const std::uint64_t accepted =
-      accepted_of(support::cases(kMutations), state, 1, [&](const std::string& bytes) {
-        support::write_text(folder / "again.hbr", recording);
-        RecordingWriter(folder / "again.hbr", bytes).close(simulation.time());
-      });
-  EXPECT_GT(accepted, support::cases(kMutations) / 20);
-  EXPECT_LT(accepted, support::cases(kMutations));
+  const std::string recording = read_text(folder / "recording.hbr");
+  const std::uint64_t accepted = accepted_of(cases(kMutations), state, 1, [&](const std::string& bytes) {
+    write_text(folder / "again.hbr", recording);
+    RecordingWriter(folder / "again.hbr", bytes).close(simulation.time());
+  });
+  EXPECT_GT(accepted, cases(kMutations) / 20);
+  EXPECT_LT(accepted, cases(kMutations));
 }
 
 }  // namespace

@@ -92,9 +92,7 @@ TEST(Retuning, TakesCellsWhereABoxIsTooSmallForLists) {
 
 TEST(Retuning, IsForEnginesWithCells) {
   const World world = support::make_gas({.count = 30, .packing_fraction = 0.001, .seed = 404});
-  EngineOptions options;
-  options.engine = EngineKind::all_pairs;
-  Simulation simulation(world, options);
+  Simulation simulation(world, {.engine = EngineKind::all_pairs});
   simulation.run_until(2000);
   EXPECT_GT(simulation.counters().enter, 8U * 30U) << "it has regions to leave too";
   EXPECT_EQ(simulation.counters().rebuilds, 0U);

@@ -11,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/simulation/user_data.hpp"
+#include "hardball/world/pair_event.hpp"
 #include "support/gas.hpp"
 #include "support/history.hpp"
 #include "support/interacting.hpp"

@@ -22,10 +22,10 @@
 namespace hardball::threads_test {
 namespace {
 
-using support::problem_of;
+using namespace support;
 
 World gas() {
-  return support::make_gas({.count = 500, .packing_fraction = 0.2, .seed = 77});
+  return make_gas({.count = 500, .packing_fraction = 0.2, .seed = 77});
 }
 
 ResponseTable merging() {
@@ -235,9 +235,8 @@ TEST(Threads, CountTheirWindows) {
 // small and spheres fly only a little way meanwhile.
 TEST(Threads, HaveLongerWindowsWhereDomainsAreSmallAndSpheresAreDense) {
   const auto contacts_in_window = [](double packing_fraction) {
-    Simulation simulation(
-        support::make_gas({.count = 4000, .packing_fraction = packing_fraction, .seed = 78}),
-        {.division = Division{.domains = 2, .halo = 3}});
+    Simulation simulation(make_gas({.count = 4000, .packing_fraction = packing_fraction, .seed = 78}),
+                          {.division = Division{.domains = 2, .halo = 3}});
     simulation.run_contacts(4000);
     const double before = static_cast<double>(simulation.windows().windows);
     simulation.run_contacts(8000);

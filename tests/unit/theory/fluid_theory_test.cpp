@@ -9,22 +9,26 @@
 #include <limits>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/tuning/cell_axes.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
+<<<<<<< HEAD
 #include "hardball/tuning/size_classes.hpp"
+=======
+>>>>>>> house-tests
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 
 namespace hardball::fluid_theory_test {
 namespace {
 
+using namespace support;
+
 World dense_gas(std::size_t count, double packing_fraction, double diameter, Boundary boundary) {
-  const double edge = diameter * support::cube_edge(count, packing_fraction);
+  const double edge = diameter * cube_edge(count, packing_fraction);
   const Box box({boundary, boundary, boundary}, {edge, edge, edge});
   World world(box);
   for (std::size_t i = 0; i < count; ++i) {
@@ -71,7 +75,7 @@ TEST(FluidTheory, ScalesWithTheUnits) {
 TEST(FluidTheory, HoldsForFewSpheres) {
   const auto expect = [](std::size_t count, double packing_fraction, double rate, double speed, double z) {
     const FluidTheory theory = theory_of([&] {
-      World world(Box::periodic(support::cube_edge(count, packing_fraction) * Vec3{1, 1, 1}));
+      World world(Box::periodic(cube_edge(count, packing_fraction) * Vec3{1, 1, 1}));
       for (std::size_t i = 0; i < count; ++i) world.add({.position = {}, .radius = 0.5, .mass = 1});
       return world;
     }());
@@ -92,7 +96,7 @@ TEST(FluidTheory, HoldsForFewSpheres) {
 TEST(FluidTheory, DiffusionGrowsWithTheBox) {
   // The same runs, at a temperature of n / (n - 1).
   const auto expect = [](std::size_t count, double packing_fraction, double constant) {
-    World world(Box::periodic(support::cube_edge(count, packing_fraction) * Vec3{1, 1, 1}));
+    World world(Box::periodic(cube_edge(count, packing_fraction) * Vec3{1, 1, 1}));
     for (std::size_t i = 0; i < count; ++i) world.add({.position = {}, .radius = 0.5, .mass = 1});
     const auto n = static_cast<double>(count);
     EXPECT_NEAR(theory_of(world).diffusion(n / (n - 1)) / constant, 1, 0.03) << count;
@@ -133,7 +137,7 @@ TEST(FluidTheory, OfSpheresThatAllPassThroughEachOtherIsThatOfAnIdealGas) {
   constexpr double kCount = 200;
   for (const double packing_fraction : {0.2, 0.6}) {
     const World fluid = dense_gas(200, packing_fraction, 1, Boundary::periodic);
-    const World gas = support::interacting(fluid, support::passing({{0, 0}}));
+    const World gas = interacting(fluid, passing({{0, 0}}));
     const FluidTheory theory = theory_of(gas);
     EXPECT_TRUE(theory.is_ideal());
     EXPECT_TRUE(theory.holds());
@@ -148,10 +152,10 @@ TEST(FluidTheory, OfSpheresThatAllPassThroughEachOtherIsThatOfAnIdealGas) {
 TEST(FluidTheory, HoldsNotWhereSomePassAndWhereSomeAreKinematic) {
   World some = dense_gas(200, 0.2, 1, Boundary::periodic);
   some.add({.position = {1, 1, 1}, .radius = 0.5, .mass = 2, .species = 1});
-  EXPECT_FALSE(theory_of(support::interacting(some, support::passing({{0, 1}}))).holds());
-  EXPECT_FALSE(theory_of(support::interacting(some, support::passing({{0, 0}}))).holds());
-  EXPECT_TRUE(theory_of(support::interacting(some, support::passing({{0, 0}, {0, 1}, {1, 1}}))).is_ideal());
-  EXPECT_TRUE(theory_of(support::interacting(some, support::passing({{2, 3}}))).holds()) << "there are none";
+  EXPECT_FALSE(theory_of(interacting(some, passing({{0, 1}}))).holds());
+  EXPECT_FALSE(theory_of(interacting(some, passing({{0, 0}}))).holds());
+  EXPECT_TRUE(theory_of(interacting(some, passing({{0, 0}, {0, 1}, {1, 1}}))).is_ideal());
+  EXPECT_TRUE(theory_of(interacting(some, passing({{2, 3}}))).holds()) << "there are none";
   World heavy = dense_gas(200, 0.2, 1, Boundary::periodic);
   heavy.add({.position = {1, 1, 1}, .radius = 0.5, .mass = std::numeric_limits<double>::infinity()});
   EXPECT_FALSE(theory_of(heavy).holds());

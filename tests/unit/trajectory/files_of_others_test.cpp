@@ -14,13 +14,13 @@
 #include "hardball/io/zstd.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::files_of_others_test {
 namespace {
 
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 std::string text_of(const Vec3& vector) {
   return to_text(vector.x) + " " + to_text(vector.y) + " " + to_text(vector.z);
@@ -69,13 +69,10 @@ TEST_P(RefusedFile, NamesPlaceProblemAndRemedy) {
   const ScratchFolder folder;
   const std::filesystem::path path = folder / GetParam().name;
   write_text(path, GetParam().bytes);
-  try {
-    FAIL() << spheres_of(read_snapshot(path));
-  } catch (const Error& error) {
-    EXPECT_EQ(error.where(), path.string() + GetParam().place) << error.what();
-    EXPECT_NE(error.problem().find(GetParam().problem), std::string::npos) << error.what();
-    EXPECT_NE(error.remedy().find(GetParam().remedy), std::string::npos) << error.what();
-  }
+  const Error error = error_of([&] { read_snapshot(path); });
+  EXPECT_EQ(error.where(), path.string() + GetParam().place) << error.what();
+  EXPECT_NE(error.problem().find(GetParam().problem), std::string::npos) << error.what();
+  EXPECT_NE(error.remedy().find(GetParam().remedy), std::string::npos) << error.what();
 }
 
 const auto kTitle = [](const auto& test) { return std::string(test.param.title); };

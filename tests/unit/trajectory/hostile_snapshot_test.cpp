@@ -16,19 +16,13 @@
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
 #include "hardball/trajectory/trajectory.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::hostile_snapshot_test {
 namespace {
 
-using support::read_text;
-using support::ScratchFolder;
-
-// Creates the file anew: some file systems are slow to replace what a file holds.
-void write_text(const std::filesystem::path& path, const std::string& bytes) {
-  std::filesystem::remove(path);
-  support::write_text(path, bytes);
-}
+using namespace support;
 
 World small_world() {
   World world(Box::periodic({10, 10, 10}));
@@ -130,12 +124,7 @@ INSTANTIATE_TEST_SUITE_P(All, DamagedFile,
 std::string refusal_of(const std::string& name, const std::string& bytes) {
   const ScratchFolder folder;
   write_text(folder / name, bytes);
-  try {
-    read_snapshot(folder / name);
-    return "nothing";
-  } catch (const Error& error) {
-    return error.problem();
-  }
+  return problem_of([&] { read_snapshot(folder / name); });
 }
 
 TEST(HostileFile, MayNotClaimSpheresThatItDoesNotHave) {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,7 @@
 namespace hardball::sphere_types_test {
 namespace {
 
-using support::read_text;
-using support::ScratchFolder;
+using namespace support;
 
 Sphere sphere(SpeciesId species, double radius, double mass = 1) {
   return {.position = {1 + 2 * radius, species + 1.0, 2 * mass},

@@ -29,9 +29,7 @@
 namespace hardball::trajectory_test {
 namespace {
 
-using support::read_text;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 // Spheres with numbers that take all digits, in a box with all boundaries.
 World motley_world() {

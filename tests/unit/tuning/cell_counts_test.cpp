@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "hardball/broadphase/large_sizes.hpp"
 #include "hardball/errors/error.hpp"

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "apps/viewer/recorded_progress.hpp"
@@ -16,10 +15,7 @@
 namespace hardball::viewer::live_run_test {
 namespace {
 
-using support::make_gas;
-using support::read_text;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 const World kGas = make_gas({.count = 100, .packing_fraction = 0.2, .boundary = Boundary::wall});
 
@@ -143,7 +139,7 @@ TEST(RecordedProgress, OfADamagedRecordingIsThatBeforeTheDamage) {
   const ChunkExtent second = whole.chunks()[1];
   std::uint64_t contacts = 0;
   for (const RecordedContact& contact : whole.read(0).contacts) contacts += contact.is_collision() ? 1U : 0U;
-  std::string bytes = support::read_text(folder / "recording.hbr");
+  std::string bytes = read_text(folder / "recording.hbr");
   bytes[second.bytes.offset + second.bytes.length / 2] ^= 1;
   write_text(folder / "recording.hbr", bytes);
   EXPECT_THROW(SharedRecording(folder / "recording.hbr").verify({}), Error);

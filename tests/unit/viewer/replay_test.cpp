@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -15,9 +14,7 @@
 namespace hardball::viewer::replay_test {
 namespace {
 
-using support::make_gas;
-using support::read_text;
-using support::ScratchFolder;
+using namespace support;
 
 // The whole file, in pieces.
 std::string text_of(const Replay& replay) {

@@ -28,10 +28,7 @@ namespace hardball::viewer::server_test {
 namespace {
 
 using nlohmann::json;
-using support::make_gas;
-using support::read_text;
-using support::ScratchFolder;
-using support::write_text;
+using namespace support;
 
 // A bare connection to a port of this machine, for clients that do not behave.
 class Connection {

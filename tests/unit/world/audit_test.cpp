@@ -9,6 +9,7 @@
 #include "hardball/errors/error.hpp"
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
+#include "support/refusal.hpp"
 
 namespace hardball::audit_test {
 namespace {
@@ -106,12 +107,8 @@ TEST(RequireRoom, ChecksAllOthersAndTheirImages) {
   const auto is_room = [&world](const Vec3& place, double moment) {
     World with = world;
     with.add({place, {}, 1, 1}, Time(moment));
-    try {
-      require_room(with, static_cast<Slot>(world.size()), all_slots(with), Time(moment));
-    } catch (const Error&) {
-      return false;
-    }
-    return true;
+    const auto last = static_cast<Slot>(world.size());
+    return support::refusal_of([&] { require_room(with, last, all_slots(with), Time(moment)); }).empty();
   };
   EXPECT_FALSE(is_room({9.5, 5, 5}, 0));
   EXPECT_TRUE(is_room({9, 5, 5}, 0)) << "touching";
@@ -121,12 +118,8 @@ TEST(RequireRoom, ChecksAllOthersAndTheirImages) {
   world.reorder(std::vector<Slot>{1, 0});
   World with = world;
   with.add({{1, 6, 5}, {}, 1, 1});
-  try {
-    require_room(with, 2, all_slots(with), Time(0));
-    FAIL() << "it overlaps two";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("overlaps sphere 0 by"), std::string::npos) << error.what();
-  }
+  const Error error = support::error_of([&] { require_room(with, 2, all_slots(with), Time(0)); });
+  EXPECT_NE(std::string(error.what()).find("overlaps sphere 0 by"), std::string::npos) << error.what();
 }
 
 }  // namespace

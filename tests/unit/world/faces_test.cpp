@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/interacting.hpp"
 #include "support/refusal.hpp"

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "hardball/errors/error.hpp"
 #include "hardball/geometry/spacing.hpp"
 #include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"

@@ -5,10 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <string>
 
-#include "hardball/errors/error.hpp"
 #include "hardball/interaction/step_potential.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/queries/queries.hpp"
