@@ -14,12 +14,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
-<<<<<<< HEAD
-#include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
-=======
-#include "hardball/measure/measure_settings.hpp"
->>>>>>> house-tests
 
 namespace hardball::measures_test {
 namespace {

@@ -17,7 +17,7 @@ namespace hardball::released_files_test {
 namespace {
 
 using nlohmann::json;
-using support::Outcome;
+using support::ProgramOutcome;
 using support::run_program;
 
 const std::filesystem::path kReleases = HARDBALL_TEST_SUPPORT "/released";
@@ -35,7 +35,7 @@ TEST_P(ReleasedRun, IsResumed) {
   const support::ScratchFolder folder;
   std::filesystem::copy(kReleases / GetParam().folder, folder / "run",
                         std::filesystem::copy_options::recursive);
-  const Outcome outcome = run_program(folder, {"resume", "run", "--until", "2", "--json", "--quiet"});
+  const ProgramOutcome outcome = run_program(folder, {"resume", "run", "--until", "2", "--json", "--quiet"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
   EXPECT_EQ(json::parse(outcome.output)["event_log_hash"], GetParam().hash);
   if (!GetParam().has_recording) return;
@@ -63,8 +63,9 @@ INSTANTIATE_TEST_SUITE_P(Released, ReleasedRun,
 
 TEST(ReleasedPacking, IsResumed) {
   const support::ScratchFolder folder;
-  const Outcome outcome = run_program(folder, {"pack", "--resume", (kReleases / "0.2.0/packing.hbc").string(),
-                                               "--out", "spheres.xyz", "--json", "--quiet"});
+  const ProgramOutcome outcome =
+      run_program(folder, {"pack", "--resume", (kReleases / "0.2.0/packing.hbc").string(), "--out",
+                           "spheres.xyz", "--json", "--quiet"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
   const json summary = json::parse(outcome.output);
   EXPECT_EQ(summary["status"], "reached");

@@ -121,8 +121,7 @@ History with_growth(const Simulation& simulation, History history) {
 
 // All pairs, and a fifth of the other ways: each is compared in many worlds.
 std::vector<EngineVariant> variants_for(const World& world, std::uint64_t seed) {
-<<<<<<< HEAD
-  std::vector<EngineVariant> all = support::engine_variants(world);
+  std::vector<EngineVariant> all = engine_variants(world);
   // In open space nothing ends the growth: in the end, spheres would be in millions of cells of their first
   // size.
   if (!(packing_fraction(world, Time(0)) > 0)) {
@@ -131,9 +130,6 @@ std::vector<EngineVariant> variants_for(const World& world, std::uint64_t seed) 
       return variant.options.engine == EngineKind::cells && variant.options.cell_edge < extent;
     });
   }
-=======
-  std::vector<EngineVariant> all = engine_variants(world);
->>>>>>> house-tests
   if (world.size() > 1) {
     for (const EngineVariant& variant : divided_variants()) all.push_back(variant);
   }

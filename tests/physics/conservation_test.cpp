@@ -30,40 +30,6 @@ constexpr std::uint64_t kContacts = support::cases(1000000);
 // rounds, by about 1e-16 of a sphere's share each time and with a random sign: sqrt(1e6) * 1e-16 / sqrt(1000)
 // of the whole. The limits allow a hundred times that: they are to catch a drift.
 TEST(MillionCollisions, ConserveEnergyAndMomentum) {
-<<<<<<< HEAD
-  const World world = support::make_gas({.count = kSpheres, .packing_fraction = 0.3, .seed = 81});
-  Simulation simulation(world);
-  simulation.run_contacts(kContacts);
-  const double energy_error =
-      kinetic_energy(simulation.world(), simulation.now()) / kinetic_energy(world, Time(0)) - 1;
-  const double rms_speed = std::sqrt(2 * kinetic_energy(world, Time(0)) / kSpheres);
-  const double momentum =
-      length(hardball::momentum(simulation.world(), simulation.now())) / (kSpheres * rms_speed);
-  support::record("energy_error", energy_error);
-  support::record("momentum_error", momentum);
-  EXPECT_LT(std::fabs(energy_error), 1e-12);
-  EXPECT_LT(momentum, 1e-11);
-  const Audit found = audit(simulation.world(), simulation.now());
-  EXPECT_TRUE(found.is_sound());
-  // Positions in a box of twelve diameters are right to 1e-15.
-  support::record("overlap_at_contact", simulation.tally().max_overlap());
-  EXPECT_LT(simulation.tally().max_overlap(), 1e-13);
-  EXPECT_LT(found.max_overlap, 1e-13);
-}
-
-// Walls change the momentum but must not change the energy: they reverse a component, without rounding.
-TEST(MillionCollisions, BetweenWallsConserveEnergy) {
-  const World world =
-      support::make_gas({.count = kSpheres, .packing_fraction = 0.1, .seed = 82, .boundary = Boundary::wall});
-  Simulation simulation(world);
-  simulation.run_contacts(kContacts);
-  EXPECT_GT(simulation.counters().wall, kContacts / 10);
-  const double energy_error =
-      kinetic_energy(simulation.world(), simulation.now()) / kinetic_energy(world, Time(0)) - 1;
-  support::record("energy_error", energy_error);
-  EXPECT_LT(std::fabs(energy_error), 1e-12);
-  EXPECT_TRUE(audit(simulation.world(), simulation.now()).is_sound());
-=======
   const std::vector<std::pair<std::string, support::Gas>> gases{
       {"", {.count = 1000, .packing_fraction = 0.3, .seed = 81}},
       {"_between_walls", {.count = 1000, .packing_fraction = 0.1, .seed = 82, .boundary = Boundary::wall}},
@@ -94,7 +60,6 @@ TEST(MillionCollisions, BetweenWallsConserveEnergy) {
     support::record("momentum_error" + name, momentum_error);
     EXPECT_LT(momentum_error, 1e-11);
   }
->>>>>>> house-tests
 }
 
 // A rounding error that is the same at every collision adds up as the number of collisions, not as its root.

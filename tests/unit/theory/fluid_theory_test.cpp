@@ -15,10 +15,6 @@
 #include "hardball/tuning/cell_axes.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
-<<<<<<< HEAD
-#include "hardball/tuning/size_classes.hpp"
-=======
->>>>>>> house-tests
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 

@@ -13,13 +13,8 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-<<<<<<< HEAD
 #include "hardball/trajectory/text_formats.hpp"
-=======
-#include "hardball/trajectory/extended_xyz_reader.hpp"
-#include "hardball/trajectory/extended_xyz_writer.hpp"
 #include "support/refusal.hpp"
->>>>>>> house-tests
 
 namespace hardball::extended_xyz_test {
 namespace {
