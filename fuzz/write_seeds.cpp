@@ -50,7 +50,7 @@ RunLimits few_contacts(double until) {
 
 // The state of a recording without the checksum of the file, which is another where it is read.
 std::string without_checksum(std::string state) {
-  constexpr std::size_t kPlace = 4 + 4 + 8;  // after the versions of the state and the file, and the length
+  constexpr std::size_t kPlace = 4 + 1 + 8;  // after the version, a flag, and the length
   HARDBALL_CHECK(state.at(kPlace) == 1);
   return state.replace(kPlace, 1 + 8, 1, '\0');
 }
