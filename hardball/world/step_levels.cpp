@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/exit_time.hpp"
 #include "hardball/numbers/exact_sum.hpp"
 #include "hardball/world/images.hpp"
 #include "hardball/world/pair_event.hpp"
