@@ -32,7 +32,7 @@ double expected_missed_share(double advance) {
   return share;
 }
 
-void MissedCounter::note(const Contact& contact) {
+void MissedCounter::record(const Contact& contact) {
   if (!contact.is_collision()) return;
   ++collisions_;
   const double duration = overlap_duration(contact);

@@ -30,7 +30,7 @@ class MissedCounter {
   /// The steps [T].
   explicit MissedCounter(std::vector<double> steps) : steps_(std::move(steps)), missed_(steps_.size()) {}
 
-  void note(const Contact& contact);
+  void record(const Contact& contact);
   void add(const MissedCounter& other);
 
   std::uint64_t collisions() const { return collisions_; }

@@ -71,7 +71,7 @@ World settled_world(std::size_t spheres, double box_edge, MissedCounter& missed)
   Simulation simulation(make_world(scenario));
   const int collisions = is_random ? kCollisionsToSettle : kCollisionsToMelt;
   run_collisions(simulation, collisions / 2.0);
-  simulation.on_contact([&](const Contact& contact) { missed.note(contact); });
+  simulation.on_contact([&](const Contact& contact) { missed.record(contact); });
   run_collisions(simulation, collisions / 2.0);
   return simulation.world();
 }
@@ -199,7 +199,7 @@ std::vector<Row> rows_of(const Plan& plan, const World& world, const MissedCount
     for (const std::size_t i : kStepsTaken) rows.push_back(stepping->row(kSteps[i], missed.share(i)));
   }
   for (Row& row : rows) {
-    if (row.packing_fraction() > kFreezing) row.note = "above freezing, from a crystal";
+    if (row.packing_fraction() > kFreezing) row.on_contact = "above freezing, from a crystal";
   }
   return rows;
 }

@@ -34,7 +34,7 @@ class SlidingRows {
     boxes_.resize(static_cast<std::size_t>(rows));
     displacements_.resize(static_cast<std::size_t>(rows + 2));
     leave_out_boxes(now);
-    note(now);
+    record(now);
   }
 
   bool are_present() const { return are_present_; }
@@ -43,7 +43,7 @@ class SlidingRows {
   /// box.
   void keep_near(const Time& now) {
     if (!is_near(duration(noted_at_, now))) [[unlikely]]
-      note(now);
+      record(now);
   }
 
   /// Makes displacements at moments near this one cheap, as keep_near does, and keeps them small: they may
@@ -52,7 +52,7 @@ class SlidingRows {
     if (is_near(duration(noted_at_, now))) [[likely]]
       return;
     leave_out_boxes(now);
-    note(now);
+    record(now);
   }
 
   /// By how much a row is displaced along x at `moment` [L], less as many boxes as made that of a row of the
@@ -116,7 +116,7 @@ class SlidingRows {
       boxes_[static_cast<std::size_t>(row)] = std::round(slid.high / width_);
     }
   }
-  void note(const Time& now) {
+  void record(const Time& now) {
     noted_at_ = now;
     for (std::int32_t row = -1; row <= rows_; ++row)
       displacements_[static_cast<std::size_t>(row + 1)] = exact_displacement(row, now);

@@ -142,7 +142,7 @@ class BoundaryWatch {
 
   /// Records a leg of an own sphere that these neighbors hold, and sends it to others that it may concern.
   /// `end` are the distances where it ends.
-  void note(const Leg& leg, const Distances& end, NeighborSet holders, std::vector<Outbox>& outboxes) {
+  void record(const Leg& leg, const Distances& end, NeighborSet holders, std::vector<Outbox>& outboxes) {
     const double begin = std::max(begin_, leg.begin);
     const double wait = leg.end - begin;
     const double speed = largest_component(leg.end_velocity) + fall_ * wait;

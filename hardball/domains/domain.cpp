@@ -148,7 +148,7 @@ HARDBALL_NEVER_INLINE void Domain::note_near_boundary(Slot slot, SphereId id, co
                                                       Slot partner) {
   const NeighborSet holders = ownership_.holders(slot);
   const BoundaryWatch::Distances place = boundary_.distances(leg.end_position);
-  boundary_.note(leg, place, holders, outboxes_);
+  boundary_.record(leg, place, holders, outboxes_);
   boundary_.set_wakeup(
       {boundary_.time_of_change(place, holders, after, leg.end), slot, world().path(slot).time});
   if (holders == 0) return;
@@ -210,8 +210,8 @@ void Domain::end_legs(double until) {
     touched_.push_back(slot);
     const Time& since = world().path(slot).time;
     const State state = folded_state(slot, later(Time(until), since));
-    boundary_.note({since.high, until, state.position, state.velocity}, boundary_.distances(state.position),
-                   ownership_.holders(slot), outboxes_);
+    boundary_.record({since.high, until, state.position, state.velocity}, boundary_.distances(state.position),
+                     ownership_.holders(slot), outboxes_);
   });
 }
 

@@ -186,7 +186,7 @@ class Domain {
   // Records contacts as they happen.
   struct Notes {
     Domain& domain;
-    void operator()(const Contact& contact) const { domain.note(contact); }
+    void operator()(const Contact& contact) const { domain.record(contact); }
     void prefetch(Slot slot) const {
       if (!domain.ownership_.is_shared(slot)) return;
       domain.ownership_.prefetch(slot);
@@ -202,13 +202,13 @@ class Domain {
 
   void begin_window();
 
-  HARDBALL_ALWAYS_INLINE void note(const Contact& contact) {
+  HARDBALL_ALWAYS_INLINE void record(const Contact& contact) {
     const Participants& participants = engine_.participants();
     const bool is_collision = contact.is_collision();
     const bool owns_first = ownership_.is_own(participants.first);
     const bool owns_second = is_collision && ownership_.is_own(participants.second);
     if (owns_first) {
-      if (is_summed_) sums_.note(contact);
+      if (is_summed_) sums_.record(contact);
       ++(is_collision ? counted_.collision : counted_.wall);
     }
     if (is_log_kept_ && (owns_first || owns_second)) log(contact, owns_first, owns_second);

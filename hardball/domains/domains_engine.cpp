@@ -150,7 +150,7 @@ SystemSize DomainsEngine::size_of(const SphereTransfers& brought, const Time& no
   const double growth = world_.motion().growth().largest_scale() * world_.room_to_grow();
   SystemSize own;
   brought.for_each([&](const SphereTransfer& transfer) {
-    own.note(length(world_.motion().velocity_at(transfer.state.path, now)), growth * transfer.state.radius);
+    own.record(length(world_.motion().velocity_at(transfer.state.path, now)), growth * transfer.state.radius);
   });
   SystemSize all;
   for (const SystemSize& other : processes_->gather(own)) all.add(other);
@@ -236,7 +236,7 @@ GasStatistics DomainsEngine::statistics(const Time& moment) const {
   }
   std::vector<GasSums> parts(group_->size());
   group_->each([&](const Domain& domain, std::size_t k) {
-    domain.for_each_own([&](Slot slot) { parts[k].note(domain.world(), slot, moment); });
+    domain.for_each_own([&](Slot slot) { parts[k].record(domain.world(), slot, moment); });
   });
   GasSums own;
   for (const GasSums& part : parts) own.add(part);
@@ -246,7 +246,7 @@ GasStatistics DomainsEngine::statistics(const Time& moment) const {
 Totals DomainsEngine::totals(const Time& moment) const {
   if (is_alone()) return totals_of(world(), moment);
   Totals own;
-  for_each_sphere([&](const World& world, Slot slot) { own.note(world, slot, moment); });
+  for_each_sphere([&](const World& world, Slot slot) { own.record(world, slot, moment); });
   return sum_of_all(*processes_, own);
 }
 
@@ -622,7 +622,7 @@ std::exception_ptr DomainsEngine::tell(const ContactObserver& observer) {
   MergedLog log = group_->merged_log();
   is_telling_ = true;
   try {
-    while (const Contact* contact = log.next()) observer.note(*contact);
+    while (const Contact* contact = log.next()) observer.on_contact(*contact);
   } catch (...) {
     failure = std::current_exception();
   }
@@ -638,10 +638,10 @@ bool DomainsEngine::deliver(ContactSums& sums, const ContactObserver& observer) 
   while (const Contact* logged = log.next()) {
     const Contact contact = *logged;  // the log is discarded if the window is cut
     apply(contact);
-    sums.note(contact);
+    sums.record(contact);
     bool continues = false;
     try {
-      continues = observer.note(contact);
+      continues = observer.on_contact(contact);
     } catch (...) {
       settle();
       throw;

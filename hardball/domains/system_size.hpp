@@ -28,7 +28,7 @@ struct SystemSize {
     return size;
   }
   /// Adds a sphere with this speed [L/T] and radius [L].
-  void note(double speed, double radius) {
+  void record(double speed, double radius) {
     ++spheres;
     speeds += speed;
     contact = std::max(contact, 2 * radius);

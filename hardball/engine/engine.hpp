@@ -72,8 +72,8 @@ class Engine final : public EngineBase {
 
   RunStatus run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) override {
     return run(limits, [&](const Contact& contact) {
-      sums.note(contact);
-      return !observer || observer.note(contact);
+      sums.record(contact);
+      return !observer || observer.on_contact(contact);
     });
   }
   /// Runs as the other, and calls observe(contact) after every contact. If that returns a bool, it says
@@ -346,7 +346,7 @@ class Engine final : public EngineBase {
   // The first of two spheres that have merged takes the place of both.
   HARDBALL_NEVER_INLINE void absorb(const Participants& participants) {
     journal_.note_merged(now(), post_contact_.merged);
-    post_contact_.merged.note(done_.contact.first);
+    post_contact_.merged.record(done_.contact.first);
     post_contact_.merged.forget(done_.contact.second);
     needs_rebuild_ = !forecast_.admits(participants.first);
     if (needs_rebuild_) return forecast_.world().remove(done_.contact.second, now());

@@ -22,7 +22,7 @@ void Forecast::rebuild(const Time& now, const Progress& progress) {
   has_images_of_obstacles_ = has_images_of_obstacles(world_);
   note_exclusions();
   for (Slot slot = 0; slot < world_.size(); ++slot) {
-    progress.note(slot, world_.size());
+    progress.record(slot, world_.size());
     predict(slot);
   }
 }

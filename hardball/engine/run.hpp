@@ -51,15 +51,15 @@ enum class RunStatus {
 /// An observer of the contacts of a run, called in their order.
 struct ContactObserver {
   /// Called with each contact; returns whether the run continues. Empty for no observer.
-  Function<bool(const Contact&)> note = {};
+  Function<bool(const Contact&)> on_contact = {};
   /// Whether it may look at the world or at sums over contacts, or stop the run. If not, it is called when
   /// later contacts may have happened already, which costs less in several domains; if it throws, the run
   /// ends after those.
   bool looks_around = true;
 
-  explicit operator bool() const { return static_cast<bool>(note); }
+  explicit operator bool() const { return static_cast<bool>(on_contact); }
   /// Whether there is an observer that may query the world.
-  bool needs_world() const { return note && looks_around; }
+  bool needs_world() const { return on_contact && looks_around; }
 };
 
 /// Calls an observer with a contact, and returns whether the run continues: an observer that returns a bool

@@ -16,7 +16,7 @@ class MergedSpheres {
  public:
   bool empty() const { return ids_.empty(); }
   /// A sphere has absorbed another.
-  void note(SphereId id) {
+  void record(SphereId id) {
     if (std::ranges::find(ids_, id) == ids_.end()) ids_.push_back(id);
   }
 

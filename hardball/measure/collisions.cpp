@@ -81,7 +81,7 @@ void CollisionRate::advance(const Time& now) {
   last_ = now;
 }
 
-void CollisionRate::note(const Contact& contact) {
+void CollisionRate::record(const Contact& contact) {
   if (contact.step.happens()) return advance(contact.time);
   if (contact.is_collision()) {
     contacts_.put(kCollisions, 1);
@@ -179,7 +179,7 @@ ImpactSpeeds::ImpactSpeeds(const Scene& scene)
       bins_per_speed_(1 / width_),
       average_(kPairs + species_.size() * species_.size()) {}
 
-void ImpactSpeeds::note(const Contact& contact) {
+void ImpactSpeeds::record(const Contact& contact) {
   if (!contact.is_collision() || contact.step.happens()) return;
   const double speed = contact.impact_speed();
   const double bin = speed * bins_per_speed_;

@@ -25,7 +25,7 @@ class CollisionRate {
   explicit CollisionRate(const Scene& scene);
 
   /// Cost: O(1).
-  void note(const Contact& contact);
+  void record(const Contact& contact);
   /// What a sample costs [ns].
   double sample_cost() const { return 8 * spheres_; }
   /// Samples the speeds, from which the mean free path follows. Cost: O(n).
@@ -77,7 +77,7 @@ class ImpactSpeeds {
   explicit ImpactSpeeds(const Scene& scene);
 
   /// Cost: O(1).
-  void note(const Contact& contact);
+  void record(const Contact& contact);
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 

@@ -12,9 +12,9 @@ struct ContactSums {
   EventLogHash hash;
   Tally tally;
 
-  void note(const Contact& contact) {
-    tally.note(contact);
-    hash.note(contact);
+  void record(const Contact& contact) {
+    tally.record(contact);
+    hash.record(contact);
   }
   /// Empty sums, for contacts that are added elsewhere.
   ContactSums part() const { return {{}, tally.part()}; }

@@ -23,7 +23,7 @@ namespace hardball {
 class EventLogHash {
  public:
   /// Cost: some 50 instructions, which depend on few others.
-  void note(const Contact& contact) { sum_ += hash_of(contact); }
+  void record(const Contact& contact) { sum_ += hash_of(contact); }
   /// Adds all contacts of another hash.
   void add(const EventLogHash& other) { sum_ += other.sum_; }
 

@@ -71,7 +71,7 @@ void KineticTensor::change(double mass, const Vec3& before, const Vec3& after) {
   add_symmetric_product(components_.data(), impulse, (before + after) - 2 * drift_);
 }
 
-void KineticTensor::note(const Box& box, const Contact& contact) {
+void KineticTensor::record(const Box& box, const Contact& contact) {
   const Vec3 flow = flow_at(box, contact.position);
   change(contact.first_mass, contact.before.first - flow, contact.after.first - flow);
   if (!contact.is_collision()) return;
@@ -80,7 +80,7 @@ void KineticTensor::note(const Box& box, const Contact& contact) {
 }
 
 // Along axes on which nothing else acts, what changes the total momentum changes the drift.
-void KineticTensor::note(const Box& box, const VelocityChange& change_of_one) {
+void KineticTensor::record(const Box& box, const VelocityChange& change_of_one) {
   const Vec3 flow = flow_at(box, change_of_one.position);
   change(change_of_one.mass, change_of_one.before - flow, change_of_one.after - flow);
   Vec3 drift;

@@ -32,8 +32,8 @@ class KineticTensor {
   void advance(const Box& box, double elapsed, double* integral);
   /// Accounts for a contact, or another change of a velocity, at the time that it has advanced to. Cost:
   /// O(1).
-  void note(const Box& box, const Contact& contact);
-  void note(const Box& box, const VelocityChange& change);
+  void record(const Box& box, const Contact& contact);
+  void record(const Box& box, const VelocityChange& change);
 
  private:
   friend class Persistence;

@@ -189,22 +189,22 @@ void Measures::check_spheres(const World& world) const {
               "start new measures after such an edit");
 }
 
-void Measures::note(const Contact& contact) {
+void Measures::record(const Contact& contact) {
   if (!has_begun_) return;
   ++contacts_;
   entries_->for_each([&](auto& entry) {
-    if constexpr (requires { entry.measure->note(contact); }) {
-      if (entry.measure) entry.measure->note(contact);
+    if constexpr (requires { entry.measure->record(contact); }) {
+      if (entry.measure) entry.measure->record(contact);
     }
   });
 }
 
-void Measures::note(const VelocityChange& change) {
+void Measures::record(const VelocityChange& change) {
   if (!has_begun_) return;
   is_driven_ = true;
   entries_->for_each([&](auto& entry) {
-    if constexpr (requires { entry.measure->note(change); }) {
-      if (entry.measure) entry.measure->note(change);
+    if constexpr (requires { entry.measure->record(change); }) {
+      if (entry.measure) entry.measure->record(change);
     }
   });
 }

@@ -72,10 +72,10 @@ class HARDBALL_EXPORT Measures {
   /// Error: the spheres of `world` are not those with which the measures started. Cost: O(spheres followed).
   void check_spheres(const World& world) const;
 
-  void note(const Contact& contact);
+  void record(const Contact& contact);
   /// Records a change of velocity by the thermostat or by an edit. From then on the system counts as driven,
   /// and the theory of isolated systems is left out.
-  void note(const VelocityChange& change);
+  void record(const VelocityChange& change);
   /// When the next sample is due; kNever if none is.
   Time next_sample() const;
   /// Samples the world; the first call starts the measures. Several measures may sample at once, as

@@ -56,14 +56,14 @@ void Pressure::advance(const Time& now) {
   average_.close_sample(duration(begin_, now), elapsed);
 }
 
-void Pressure::note(const VelocityChange& change) {
+void Pressure::record(const VelocityChange& change) {
   if (last_ < change.time) advance(change.time);
-  kinetic_.note(box_, change);
+  kinetic_.record(box_, change);
 }
 
-void Pressure::note(const Contact& contact) {
+void Pressure::record(const Contact& contact) {
   advance(contact.time);
-  kinetic_.note(box_, contact);
+  kinetic_.record(box_, contact);
   const Vec3 impulse = contact.impulse();
   if (contact.is_collision()) {
     add_symmetric_product(average_.open_bins(kCollisional), impulse, -1 * contact.separation);

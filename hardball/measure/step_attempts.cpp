@@ -51,7 +51,7 @@ void StepAttempts::advance(const Time& now) {
   average_.close_sample(duration(begin_, now), elapsed);
 }
 
-void StepAttempts::note(const Contact& contact) {
+void StepAttempts::record(const Contact& contact) {
   if (contact.step.happens()) {
     const std::size_t bin = bin_of(contact.step.potential, contact.step.step);
     const std::size_t direction = contact.step.is_outward ? kComeOut : kComeIn;
@@ -65,7 +65,7 @@ void StepAttempts::note(const Contact& contact) {
     kinetic_ += energy_gain(contact.second_mass, contact.before.second, contact.after.second);
 }
 
-void StepAttempts::note(const VelocityChange& change) {
+void StepAttempts::record(const VelocityChange& change) {
   advance(change.time);
   is_driven_ = true;
   kinetic_ += energy_gain(change.mass, change.before, change.after);

@@ -34,8 +34,8 @@ class StepAttempts {
   explicit StepAttempts(const Scene& scene);
 
   /// Cost: O(1).
-  void note(const Contact& contact);
-  void note(const VelocityChange& change);
+  void record(const Contact& contact);
+  void record(const VelocityChange& change);
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 

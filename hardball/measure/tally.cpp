@@ -55,7 +55,7 @@ void Tally::note_gain(double energy, const Time& now) {
   delayed_gains_ += energy * duration(begin_, now);
 }
 
-void Tally::note(const Contact& contact) {
+void Tally::record(const Contact& contact) {
   if (last_ < contact.time) [[likely]]
     last_ = contact.time;
   if (!contact.is_collision()) return note_wall_contact(contact);

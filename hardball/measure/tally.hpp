@@ -40,7 +40,7 @@ class HARDBALL_EXPORT Tally {
   void set_interactions(const Interactions& interactions) { is_elastic_ = interactions.are_elastic(); }
   /// Records that an edit of the world changed the kinetic energy, without that of spins, at `now`.
   void note_edit(double energy_change, const Time& now);
-  void note(const Contact& contact);
+  void record(const Contact& contact);
   /// An empty tally that began when this one did, for contacts that are added elsewhere.
   Tally part() const;
   /// Adds another tally that began with the same world at the same moment. Cost:

@@ -278,7 +278,7 @@ void CollectiveTransport<kCoefficient>::contribute(double mass, const Vec3& velo
 }
 
 template <Coefficient kCoefficient>
-void CollectiveTransport<kCoefficient>::note(const Contact& contact) {
+void CollectiveTransport<kCoefficient>::record(const Contact& contact) {
   if (!conditions_.obstacle.empty() || !contact.is_collision()) return;
   moment_.advance(contact.time);
   const std::size_t first = conditions_.species.of(contact.first);
@@ -293,7 +293,7 @@ void CollectiveTransport<kCoefficient>::note(const Contact& contact) {
 }
 
 template <Coefficient kCoefficient>
-void CollectiveTransport<kCoefficient>::note(const VelocityChange& change) {
+void CollectiveTransport<kCoefficient>::record(const VelocityChange& change) {
   if (!conditions_.obstacle.empty()) return;
   moment_.advance(change.time);
   const std::size_t species = conditions_.species.of(change.sphere);

@@ -75,8 +75,8 @@ class CollectiveTransport {
   explicit CollectiveTransport(const Scene& scene, double base = kMomentBase);
 
   /// Cost: O(1).
-  void note(const Contact& contact);
-  void note(const VelocityChange& change);
+  void record(const Contact& contact);
+  void record(const VelocityChange& change);
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 

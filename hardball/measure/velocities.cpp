@@ -71,14 +71,14 @@ void Temperature::advance(const Time& now) {
   energy_.close_sample(duration(begin_, now), elapsed);
 }
 
-void Temperature::note(const Contact& contact) {
+void Temperature::record(const Contact& contact) {
   advance(contact.time);
-  kinetic_.note(box_, contact);
+  kinetic_.record(box_, contact);
 }
 
-void Temperature::note(const VelocityChange& change) {
+void Temperature::record(const VelocityChange& change) {
   if (last_ < change.time) advance(change.time);
-  kinetic_.note(box_, change);
+  kinetic_.record(box_, change);
 }
 
 void Temperature::sample(const Scene& scene) {

@@ -31,8 +31,8 @@ class Temperature {
   /// What a sample costs [ns].
   double sample_cost() const { return 16 * spheres_; }
   /// Cost: O(1).
-  void note(const Contact& contact);
-  void note(const VelocityChange& change);
+  void record(const Contact& contact);
+  void record(const VelocityChange& change);
   /// Cost: O(n).
   void sample(const Scene& scene);
   void halve_weights() { samples_.halve_weights(); }

@@ -95,11 +95,11 @@ void WallForces::advance(const Time& now) {
   last_ = now;
 }
 
-void WallForces::note(const VelocityChange& change) {
+void WallForces::record(const VelocityChange& change) {
   if (!walls_.empty()) average_.put(stored_bin(), energy_gain(change.mass, change.before, change.after));
 }
 
-void WallForces::note(const Contact& contact) {
+void WallForces::record(const Contact& contact) {
   if (walls_.empty()) return;
   if (contact.is_collision()) {
     average_.put(stored_bin(), energy_gain_of_both(contact));

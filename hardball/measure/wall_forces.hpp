@@ -33,9 +33,9 @@ class WallForces {
 
   explicit WallForces(const Scene& scene);
 
-  void note(const Contact& contact);
+  void record(const Contact& contact);
   /// Records a change of velocity by the thermostat.
-  void note(const VelocityChange& change);
+  void record(const VelocityChange& change);
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 

@@ -85,7 +85,7 @@ bool grow(const World& start, double rate, double scale, std::vector<Vec3>& cent
         simulation.run({.until = Time(end.value_or(simulation.growth()->next())), .contacts = kReported});
     const double present = simulation.world().motion().scale_at(simulation.now());
     const auto done = static_cast<std::size_t>(kSteps * std::max(0.0, present - 1) / (scale - 1));
-    progress.note(std::min(done, kSteps), kSteps);
+    progress.record(std::min(done, kSteps), kSteps);
     if (end && status == RunStatus::time_reached) {
       centers = simulation.positions();
       return true;

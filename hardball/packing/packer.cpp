@@ -123,7 +123,7 @@ double Packer::share_done() const {
   return std::min(1.0, static_cast<double>(contacts()) / contacts_for(plan_.expected_collisions()));
 }
 
-void Packer::note(const Contact& contact) {
+void Packer::record(const Contact& contact) {
   const Vec3 impulse = contact.impulse();
   if (contact.is_collision()) {
     const double virial = std::fabs(dot(impulse, contact.separation)) / 2;
@@ -276,7 +276,7 @@ void Packer::be_patient() {
 
 void Packer::advance() {
   HARDBALL_CHECK(!is_over());
-  simulation_.on_contact([this](const Contact& contact) { note(contact); });
+  simulation_.on_contact([this](const Contact& contact) { record(contact); });
   if (state_ == State::relaxing) {
     // Next to the pressure wanted what has just changed must not count.
     if (run_at_constant_size(is_next_to_pressure() ? protocol::kWeighing

@@ -103,7 +103,7 @@ class HARDBALL_EXPORT Packer {
   bool restored() const;
   static constexpr const char* kWhereSaved = "the saved packing";
 
-  void note(const Contact& contact);
+  void record(const Contact& contact);
   std::uint64_t contacts() const { return simulation_.counters().contacts(); }
   double contacts_for(double collisions) const {
     return collisions * static_cast<double>(simulation_.size());

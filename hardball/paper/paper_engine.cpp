@@ -37,8 +37,8 @@ std::size_t PaperEngine::memory_bytes() const {
 
 RunStatus PaperEngine::run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) {
   const auto observe = [&](const Contact& contact) {
-    sums.note(contact);
-    return !observer || observer.note(contact);
+    sums.record(contact);
+    return !observer || observer.on_contact(contact);
   };
   std::uint64_t contacts = 0;
   if (limits.contacts == 0) return RunStatus::contacts_reached;
@@ -358,7 +358,7 @@ void PaperEngine::undo(const Time& last_kept, const Time& moment) {
 
 void PaperEngine::absorb(const Participants& participants) {
   journal_.note_merged(now_, post_contact_.merged);
-  post_contact_.merged.note(done_.contact.first);
+  post_contact_.merged.record(done_.contact.first);
   post_contact_.merged.forget(done_.contact.second);
   needs_rebuild_ = !admits(participants.first);
   if (needs_rebuild_) return world_.remove(done_.contact.second, now_);

@@ -232,10 +232,10 @@ class PlacementProgress {
         dimensions_(static_cast<double>(dimensions)),
         all_(work_until(1)) {}
 
-  void note(std::size_t placed) {
+  void record(std::size_t placed) {
     const auto step =
         static_cast<std::size_t>(kSteps * work_until(static_cast<double>(placed) / count_) / all_);
-    for (; next_ <= step; ++next_) progress_.note(next_, kSteps);
+    for (; next_ <= step; ++next_) progress_.record(next_, kSteps);
   }
 
  private:
@@ -374,7 +374,7 @@ std::optional<std::vector<Vec3>> find_random_places(const Box& box, const Region
   SequentialAddition addition(box, region, radii, random, is_allowed, placed);
   std::size_t done = 0;
   for (const std::size_t i : by_size) {
-    progress_by_work.note(done);
+    progress_by_work.record(done);
     const std::optional<Vec3> center = addition.place(radii[i]);
     if (!center) return std::nullopt;
     centers[i] = *center;

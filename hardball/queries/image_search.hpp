@@ -104,7 +104,7 @@ struct First {
   std::uint32_t body = kNoSphere;
   Vec3 separation;  // when it all begins, of the image that is met [L]
 
-  void note(const First& other) {
+  void record(const First& other) {
     if (std::tie(other.time, other.kind, other.body) < std::tie(time, kind, body)) *this = other;
   }
 };
@@ -137,7 +137,7 @@ void note_spheres(const World& world, const Time& start, const State& from, doub
       const double wait = wait_of(slot, Relative{separation, other.velocity, other.reach});
       if (wait > during.end) return;
       during.end = wait;
-      first.note({after(start, wait), EventKind::collision, world.id(slot), separation});
+      first.record({after(start, wait), EventKind::collision, world.id(slot), separation});
     });
   }
 }

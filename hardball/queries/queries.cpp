@@ -85,7 +85,7 @@ std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slo
     first = {};
     note_spheres(world, now, from, radius, self, state_of, wait_of, during, first);
     const Event wall = next_wall_event(world, id, path, radius, after(now, during.begin), 0.5);
-    if (wall.time <= after(now, during.end)) first.note({wall.time, wall.kind, wall.second, {}});
+    if (wall.time <= after(now, during.end)) first.record({wall.time, wall.kind, wall.second, {}});
     return first.time < kNever;
   });
   if (!(first.time < kNever) || first.time.high > until.high) return std::nullopt;
@@ -140,7 +140,7 @@ double distance_to_face(const Box& box, const Vec3& point, std::size_t axis, boo
 void note_walls(const World& world, const Time& now, const Path& path, const Interval& during, First& first) {
   const Box& box = world.box();
   const auto note = [&](double distance, std::uint32_t number, const Vec3& separation) {
-    if (distance <= during.end) first.note({Time(distance), EventKind::wall, number, separation});
+    if (distance <= during.end) first.record({Time(distance), EventKind::wall, number, separation});
   };
   for_each_face(box, [&](std::size_t axis, bool upper) {
     const double approach = upper ? path.velocity[axis] : -path.velocity[axis];

@@ -181,13 +181,13 @@ RecordingWriter::~RecordingWriter() {
   }
 }
 
-void RecordingWriter::note(const Contact& contact) {
+void RecordingWriter::record(const Contact& contact) {
   HARDBALL_CHECK(contact.outcome != ContactOutcome::merge);
   add(recorded(contact));
 }
 
-void RecordingWriter::note(const Contact& contact, const World& world) {
-  if (contact.outcome != ContactOutcome::merge) return note(contact);
+void RecordingWriter::record(const Contact& contact, const World& world) {
+  if (contact.outcome != ContactOutcome::merge) return record(contact);
   HARDBALL_CHECK(state_.layout.has_bodies);
   const Slot merged = world.slot_of(contact.first);
   RecordedContact merger = recorded(contact);
@@ -199,9 +199,9 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
   add(merger);
 }
 
-void RecordingWriter::note(const Contact& contact, const Simulation& simulation) {
-  if (contact.outcome == ContactOutcome::merge) return note(contact, simulation.world());
-  note(contact);
+void RecordingWriter::record(const Contact& contact, const Simulation& simulation) {
+  if (contact.outcome == ContactOutcome::merge) return record(contact, simulation.world());
+  record(contact);
 }
 
 // What a contact says without the world.
@@ -227,7 +227,7 @@ RecordedContact RecordingWriter::recorded(const Contact& contact) const {
   return recorded;
 }
 
-void RecordingWriter::note(const VelocityChange& change, const World& world) {
+void RecordingWriter::record(const VelocityChange& change, const World& world) {
   constexpr std::uint32_t kMaxIds = std::numeric_limits<std::int32_t>::max();
   HARDBALL_CHECK(change.sphere < state_.keyframe.size() && change.sphere <= kMaxIds);
   RecordedContact recorded{.time = change.time.value(),
@@ -239,7 +239,7 @@ void RecordingWriter::note(const VelocityChange& change, const World& world) {
   add(recorded);
 }
 
-void RecordingWriter::note(const Growth& epoch) {
+void RecordingWriter::record(const Growth& epoch) {
   HARDBALL_CHECK(state_.layout.has_growth);
   add({.time = epoch.begin.value(),
        .first = std::numeric_limits<SphereId>::max(),
@@ -313,9 +313,9 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
 }
 
 Observer recording_observer(RecordingWriter& writer, const Simulation& simulation) {
-  return {.contact = [&](const Contact& contact) { writer.note(contact, simulation); },
-          .change = [&](const VelocityChange& change) { writer.note(change, simulation.world()); },
-          .epoch = [&](const Growth& epoch) { writer.note(epoch); }};
+  return {.contact = [&](const Contact& contact) { writer.record(contact, simulation); },
+          .change = [&](const VelocityChange& change) { writer.record(change, simulation.world()); },
+          .epoch = [&](const Growth& epoch) { writer.record(epoch); }};
 }
 
 }  // namespace hardball

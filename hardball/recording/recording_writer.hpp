@@ -43,30 +43,30 @@ class HARDBALL_EXPORT RecordingWriter {
   RecordingWriter(std::filesystem::path path, std::string_view saved);
 
   /// Waits until all chunks are on the disk, and returns what is needed to continue from here, the open chunk
-  /// included. Error (RunFailure): as for note.
+  /// included. Error (RunFailure): as for record.
   std::string save();
 
   /// Records a contact or a change. `world`: after it. Precondition: all contacts and changes are recorded,
   /// in order; no sphere is added or removed but by a merger, which needs bodies. Error (RunFailure): the
   /// file cannot be written.
-  void note(const Contact& contact, const World& world);
+  void record(const Contact& contact, const World& world);
   /// Records a contact in which no spheres merge. Error (RunFailure): the file cannot be written.
-  void note(const Contact& contact);
+  void record(const Contact& contact);
   /// Records a contact of a simulation, which is asked for the world only if spheres merge: for
   /// Observer::contact. Error (RunFailure): the file cannot be written.
-  void note(const Contact& contact, const Simulation& simulation);
-  void note(const VelocityChange& change, const World& world);
+  void record(const Contact& contact, const Simulation& simulation);
+  void record(const VelocityChange& change, const World& world);
   /// Records an epoch of growth that has begun. Precondition: the header says that spheres may grow. Error
   /// (RunFailure): the file cannot be written.
-  void note(const Growth& epoch);
+  void record(const Growth& epoch);
 
   /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts at the time of
   /// the last one are kept for the next chunk, since others may follow at the same time. Error (RunFailure):
-  /// as for note.
+  /// as for record.
   void flush();
 
   /// Ends the recording at `time` [T], or at the last contact if that is later, and closes the file; does
-  /// nothing if it is closed. Error (RunFailure): as for note.
+  /// nothing if it is closed. Error (RunFailure): as for record.
   void close(double time);
 
   /// Closes the file, if it is open and anything was called, at the last contact recorded, as far as

@@ -245,7 +245,7 @@ void add_groups(const Scenario& scenario, World& world, const Progress& progress
   std::size_t next = 0;
   for (const SphereGroup& group : groups) {
     for (std::size_t i = 0; i < group.count; ++i, ++next) {
-      added.note(next, positions.size());
+      added.record(next, positions.size());
       const bool is_drawn = group.velocity_rule != VelocityRule::listed;
       add(world,
           {.position = positions[next],
@@ -500,7 +500,7 @@ Box make_box(const Scenario& scenario) {
 
 World make_world(const Scenario& scenario, const OnProgress& on_progress, const OnNote& on_note) {
   const Progress progress(on_progress);
-  progress.note(0, 1);
+  progress.record(0, 1);
   World world = scenario.start_file ? make_from_file(scenario, on_note) : make_empty_world(scenario);
   if (!scenario.spheres.empty()) add_groups(scenario, world, progress, on_note);
   set_interactions(scenario, world);

@@ -82,7 +82,7 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most,
       is_rescheduled_ = false;
       if (manager_->engine().needs_rebuild()) manager_->rebuild(later(now_, manager_->engine().now()));
       const RunSchedule::Item item = schedule.advance(*manager_, actors_.next().next(), kNever,
-                                                      Actor::kAnyNumber, unused, {.note = note});
+                                                      Actor::kAnyNumber, unused, {.on_contact = note});
       if (item == RunSchedule::Item::action) {
         last_change = later(schedule.reached(), last_change);
         carry_out(actors_.next().act(world(), unused.tally, last_change).changes, last_change);

@@ -50,7 +50,7 @@ Simulation::Simulation(World world, const EngineOptions& options, Processes& pro
       user_data_(ValuePointer<UserData>::make()) {
   check_division(options, processes, world.box(), world.interactions());
   const Progress progress(on_progress);
-  progress.note(0, 1);
+  progress.record(0, 1);
   begin_paths(world, now_);
   assign_levels(world, now_);
   manager_->prepare(world, now_);
@@ -136,11 +136,11 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
   check_idle("run");
   check_not_past(limits.until);
   const Activity::During running(activity_, Activity::Kind::running);
-  const ContactObserver listening{.note = [this, measures](const Contact& contact) {
+  const ContactObserver listening{.on_contact = [this, measures](const Contact& contact) {
     on_every_contact(contact, measures);
     return !is_rescheduled_;
   }};
-  const ContactObserver logging{.note =
+  const ContactObserver logging{.on_contact =
                                     [this, measures](const Contact& contact) {
                                       log(contact, measures);
                                       return true;
@@ -193,7 +193,7 @@ void Simulation::on_every_contact(const Contact& contact, Measures* measures) {
 
 // To be called with every contact, in order, perhaps when others have been carried out.
 void Simulation::log(const Contact& contact, Measures* measures) {
-  if (measures) measures->note(contact);
+  if (measures) measures->record(contact);
   if (observer_.contact) observer_.contact(contact);
 }
 
@@ -271,7 +271,7 @@ void Simulation::tell_of_changes(const Time& moment, std::span<const NewVelocity
     const VelocityChange done{
         moment,        world().id(slot), world().mass(slot), world().path(slot).position,
         change.before, change.after};
-    if (measures) measures->note(done);
+    if (measures) measures->record(done);
     if (!observer_.change) continue;
     const Activity::During running(activity_, Activity::Kind::running);
     observer_.change(done);

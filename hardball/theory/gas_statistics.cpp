@@ -38,7 +38,7 @@ double GasStatistics::packing_fraction() const {
   return number_density() * 4 * std::numbers::pi / 3 * radius_power[3];
 }
 
-void GasSums::note(const World& world, Slot slot, const Time& moment) {
+void GasSums::record(const World& world, Slot slot, const Time& moment) {
   ++spheres;
   const double radius = world.radius(slot, moment);
   double power = 1;
@@ -80,7 +80,7 @@ GasStatistics gas_statistics(const GasSums& sums, const World& world) {
 
 GasStatistics gas_statistics(const World& world, const Time& moment) {
   GasSums sums;
-  for (Slot slot = 0; slot < world.size(); ++slot) sums.note(world, slot, moment);
+  for (Slot slot = 0; slot < world.size(); ++slot) sums.record(world, slot, moment);
   GasStatistics statistics = gas_statistics(sums, world);
   if (fills_box(world) || world.size() == 0) return statistics;
   const bool is_confined = !world.surfaces().empty() || !world.motion().is_straight();

@@ -50,7 +50,7 @@ struct HARDBALL_EXPORT GasSums {
   double largest_radius = 0;             ///< [L]
 
   /// Adds a sphere as it is at `moment`.
-  void note(const World& world, Slot slot, const Time& moment);
+  void record(const World& world, Slot slot, const Time& moment);
   void add(const GasSums& other);
 
   static void persist(auto& archive, auto& self) {

@@ -63,7 +63,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
   inserted.reserve(world.size());
   std::size_t seen = 0;
   for (const Slot slot : by_size) {
-    progress.note(seen++, by_size.size());
+    progress.record(seen++, by_size.size());
     const Path& path = world.path(slot);
     if (!is_finite(path.position) || !is_finite(path.velocity)) {
       ++found.not_finite;

@@ -70,7 +70,7 @@ class Journal {
       folds_.insert(place, {path, folded});
     }
   }
-  void note(Kind kind, const Time& moment, Slot slot, const SphereState& before) {
+  void record(Kind kind, const Time& moment, Slot slot, const SphereState& before) {
     changes_.push_back({moment, slot, kind});
     states_.push_back(before);
   }

@@ -28,13 +28,13 @@ class Progress {
   }
 
   /// `done` of `all` items are done. To be called for each; reports about a hundred of them at most.
-  void note(std::size_t done, std::size_t all) const {
+  void record(std::size_t done, std::size_t all) const {
     constexpr std::size_t kReports = 128;
     if (report_ && (done % (all / kReports + 1) == 0 || done == all)) report(done, all);
   }
 
   /// Everything is done.
-  void note_end() const { note(1, 1); }
+  void note_end() const { record(1, 1); }
 
  private:
   void report(std::size_t done, std::size_t all) const {

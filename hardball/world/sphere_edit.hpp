@@ -58,7 +58,7 @@ class SphereEdit {
  private:
   void note_state(Slot slot) {
     if (world_.has_journal())
-      world_.journal_.note(Journal::Kind::state, moment_, slot, world_.state_of(slot));
+      world_.journal_.record(Journal::Kind::state, moment_, slot, world_.state_of(slot));
   }
 
   World& world_;

@@ -59,7 +59,7 @@ double sphere_volume(const World& world, const Time& moment) {
   return volume.value();
 }
 
-void Totals::note(const World& world, Slot slot, const Time& moment) {
+void Totals::record(const World& world, Slot slot, const Time& moment) {
   kinetic_energy += hardball::kinetic_energy(world, slot, moment);
   rotational_energy += hardball::rotational_energy(world, slot);
   energy += hardball::energy(world, slot, moment);
@@ -83,7 +83,7 @@ void Totals::add(const Totals& other) {
 
 Totals totals_of(const World& world, const Time& moment) {
   Totals totals;
-  for (Slot slot = 0; slot < world.size(); ++slot) totals.note(world, slot, moment);
+  for (Slot slot = 0; slot < world.size(); ++slot) totals.record(world, slot, moment);
   return totals;
 }
 

@@ -59,7 +59,7 @@ struct Totals {
   double highest_speed = 0;
 
   /// Adds a sphere as it is at `moment`.
-  void note(const World& world, Slot slot, const Time& moment);
+  void record(const World& world, Slot slot, const Time& moment);
   void add(const Totals& other);
   Vec3 total_momentum() const { return {momentum[0].value(), momentum[1].value(), momentum[2].value()}; }
 

@@ -56,7 +56,7 @@ SphereId World::add(const Sphere& sphere, const Time& moment) {
                           .species = sphere.species};
   append_with_highest_id(state);
   note_traits();
-  if (has_journal_) journal_.note(Journal::Kind::birth, moment, static_cast<Slot>(size() - 1), state);
+  if (has_journal_) journal_.record(Journal::Kind::birth, moment, static_cast<Slot>(size() - 1), state);
   return state.id;
 }
 
@@ -142,7 +142,7 @@ void World::remove_at(Slot slot, const Time& moment) {
     const PairLevel pair = levels_.of(slot).back();
     set_level(slot, pair.partner, pair.potential, 0, moment);
   }
-  if (has_journal_) journal_.note(Journal::Kind::death, moment, slot, state_of(slot));
+  if (has_journal_) journal_.record(Journal::Kind::death, moment, slot, state_of(slot));
   levels_.take_place(slot, static_cast<Slot>(size() - 1));
   erase(slot);
 }

@@ -27,7 +27,7 @@ struct EventRecord {
 class EventRecords {
  public:
   /// Error (std::bad_alloc): there is not enough memory.
-  void note(const Contact& contact) {
+  void record(const Contact& contact) {
     if (size_ == capacity_) grow();
     const Vec3 impulse = contact.impulse();
     records_.get()[size_++] = {contact.time.value(),   contact.is_collision() ? 0U : 1U,

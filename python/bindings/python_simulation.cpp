@@ -118,7 +118,7 @@ void PythonSimulation::listen() {
   simulation_.observe({});
   if (records_) {
     simulation_.observe({.contact = [this](const Contact& contact) {
-      if (records_) records_->note(contact);
+      if (records_) records_->record(contact);
     }});
   }
   if (!listener_ && !is_stepping_) return simulation_.on_contact(nullptr);

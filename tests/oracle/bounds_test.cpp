@@ -280,7 +280,7 @@ class Bounds : public testing::TestWithParam<Regime> {
         ASSERT_LE(found.least, contacts[other]) << "slot " << other;
         ASSERT_GE(found.least, base);
         ASSERT_EQ(found.partner, found.least < kNever.high ? other : 0);
-        note(made, copies, other, contacts[other], found.least, outcome);
+        record(made, copies, other, contacts[other], found.least, outcome);
       }
       candidates_.begin(0, true);
       for (Slot other = 1; other < world.size(); ++other) candidates_.add(other);
@@ -294,8 +294,8 @@ class Bounds : public testing::TestWithParam<Regime> {
   }
 
  private:
-  static void note(const Encounters& made, const CompactPaths& copies, Slot other, double contact,
-                   double bound, Outcome& outcome) {
+  static void record(const Encounters& made, const CompactPaths& copies, Slot other, double contact,
+                     double bound, Outcome& outcome) {
     if (says_nothing(copies, 0) || says_nothing(copies, other)) {
       ++outcome.unbounded;
       ASSERT_EQ(bound, rounded_down(made.now)) << "slot " << other;

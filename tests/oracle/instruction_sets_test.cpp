@@ -37,7 +37,7 @@ struct Recorded {
 
   void go_on(const RunLimits& limits) {
     engine.run(limits, [this](const Contact& contact) {
-      hash.note(contact);
+      hash.record(contact);
       ++contacts;
     });
   }

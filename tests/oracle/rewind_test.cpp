@@ -86,7 +86,8 @@ class EditedEngine {
     while (log_.size() < kMax) {
       rebuild_if_outdated();
       const std::uint64_t left = kMax - log_.size();
-      if (engine_->run({.until = end, .contacts = left}, sums_, {.note = observe}) == RunStatus::time_reached)
+      if (engine_->run({.until = end, .contacts = left}, sums_, {.on_contact = observe}) ==
+          RunStatus::time_reached)
         return;
     }
     is_cut_off_ = true;

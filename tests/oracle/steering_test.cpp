@@ -35,10 +35,10 @@ RandomWorld any_world(std::uint64_t seed) {
 // A sum over all that was seen, in order.
 class Digest {
  public:
-  void note(std::uint64_t value) { sum_ = (std::rotl(sum_, 7) ^ value) * 0x9e3779b97f4a7c15; }
-  void note(double value) { note(std::bit_cast<std::uint64_t>(value)); }
-  void note(const Vec3& value) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) note(value[axis]);
+  void record(std::uint64_t value) { sum_ = (std::rotl(sum_, 7) ^ value) * 0x9e3779b97f4a7c15; }
+  void record(double value) { record(std::bit_cast<std::uint64_t>(value)); }
+  void record(const Vec3& value) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) record(value[axis]);
   }
   std::uint64_t value() const { return sum_; }
 
@@ -51,15 +51,15 @@ void note_queries(const Simulation& simulation, Random& random, SphereId id, dou
   const double until = simulation.time() + period * random.uniform();
   const auto next = simulation.first_contact(id, speed * random.direction(), until);
   if (next) {
-    seen.note(next->time);
-    seen.note(std::uint64_t{next->second});
+    seen.record(next->time);
+    seen.record(std::uint64_t{next->second});
   }
   const Vec3 place = simulation.position(id);
   const double far = 4 * simulation.world().largest_radius();
   const auto hit = simulation.ray(place, random.direction(), far);
-  if (hit) seen.note(hit->point);
+  if (hit) seen.record(hit->point);
   const auto room = random.uniform() < 0.5 ? simulation.clearance(id) : simulation.clearance(place);
-  if (room) seen.note(room->distance);
+  if (room) seen.record(room->distance);
 }
 
 // What a program may do, chosen by a seed alone.
@@ -134,15 +134,15 @@ class Program {
       note_queries(simulation_, random_, any_sphere(), speed_, period_, seen_);
     } else if (kind < 0.93) {
       for (const Contact& contact : simulation_.contacts_within(0.2 * period_, kMaxContacts)) {
-        seen_.note(contact.point());
+        seen_.record(contact.point());
       }
     } else if (kind < 0.96) {
       const auto next = simulation_.next_contact(simulation_.time() + period_);
-      if (next) seen_.note(next->time);
+      if (next) seen_.record(next->time);
     } else {
       copy();
     }
-    seen_.note(simulation_.time());
+    seen_.record(simulation_.time());
   }
 
   void change_many() {
@@ -174,7 +174,7 @@ class Program {
     }
     copy.change_velocity(any_sphere(), velocity());
     copy.run_contacts(2, copy.time() + period_);
-    seen_.note(copy.event_log_hash());
+    seen_.record(copy.event_log_hash());
   }
 
   Simulation simulation_;

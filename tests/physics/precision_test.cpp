@@ -28,7 +28,7 @@ struct Gaps {
   double blur_sum = 0;              ///< What the gaps would be if moments were rounded to one double.
   std::vector<double> since_start;  ///< [T]
 
-  void note(const Contact& contact, const Time& start) {
+  void record(const Contact& contact, const Time& start) {
     ++contacts;
     const double gap = std::fabs(contact.overlap());
     sum += gap;
@@ -57,7 +57,7 @@ Gaps gaps_of_gas_started_at(double start) {
   for (SphereId id = 0; id < simulation.size(); ++id)
     simulation.change_velocity(id, moving.path(id).velocity);
   Gaps gaps;
-  simulation.on_contact([&](const Contact& contact) { gaps.note(contact, Time(start)); });
+  simulation.on_contact([&](const Contact& contact) { gaps.record(contact, Time(start)); });
   simulation.run_contacts(kContacts);
   return gaps;
 }
@@ -109,7 +109,7 @@ TEST(AnEngineStartedLate, MeetsContactsAsWellAsOneStartedAtZero) {
     world.add({.position = {3, 2.5, 2.75}, .velocity = {-0.8, 0.9, -1.2}, .radius = 0.75}, start);
     Engine<CalendarQueue> engine(world, {PhaseKind::cells, 1.5}, start);
     Gaps gaps;
-    engine.run({.contacts = kContacts}, [&](const Contact& contact) { gaps.note(contact, start); });
+    engine.run({.contacts = kContacts}, [&](const Contact& contact) { gaps.record(contact, start); });
     return gaps;
   };
   const Gaps first = gaps_from(Time(0));

@@ -44,7 +44,7 @@ struct Counts {
   std::uint64_t came_out = 0;
   std::uint64_t passed_out = 0;
 
-  void note(const Contact& contact) {
+  void record(const Contact& contact) {
     if (!contact.step.happens()) {
       ++cores;
     } else if (contact.step.is_outward) {
@@ -85,7 +85,7 @@ Equilibrium equilibrium_of(const World& world, std::uint64_t contacts) {
     potential_sum += potential * elapsed;
     kinetic -= contact.step.gain();
     potential += contact.step.gain();
-    found.counts.note(contact);
+    found.counts.record(contact);
   });
   simulation.run_contacts(contacts);
   found.duration = simulation.time() - begin;
@@ -313,7 +313,7 @@ TEST(StepsMeasured, AreThoseOfTheEvents) {
   const auto run = [&](std::uint64_t contacts) {
     simulation.run({.until = kNever, .contacts = contacts}, measures);
   };
-  simulation.on_contact([&](const Contact& contact) { counts.note(contact); });
+  simulation.on_contact([&](const Contact& contact) { counts.record(contact); });
   run(cases(2'000'000));
   const double per_sphere = 2 / (simulation.time() - begin) / 500;
   const std::vector<Measurement> results = measures.results(simulation.world(), simulation.now());

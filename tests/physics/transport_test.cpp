@@ -83,9 +83,9 @@ TEST(Transport, IsExactAtShortLags) {
   BulkViscosity bulk(begin, 1.0 / 512);
   ThermalConductivity conductivity(begin, 1.0 / 512);
   simulation.on_contact([&](const Contact& contact) {
-    viscosity.note(contact);
-    bulk.note(contact);
-    conductivity.note(contact);
+    viscosity.record(contact);
+    bulk.record(contact);
+    conductivity.record(contact);
   });
   const double start = simulation.time();
   constexpr std::uint64_t kContacts = 200000;

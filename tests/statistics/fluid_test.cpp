@@ -55,7 +55,7 @@ class PathLength {
  public:
   explicit PathLength(const Simulation& simulation) : last_(simulation.size(), simulation.now()) {}
 
-  void note(const Contact& contact) {
+  void record(const Contact& contact) {
     add(contact.first, contact.before.first, contact.time);
     add(contact.second, contact.before.second, contact.time);
   }
@@ -99,7 +99,7 @@ void expect_equilibrium(const State& state) {
   }
   Simulation simulation(world);
   PathLength paths(simulation);
-  simulation.on_contact([&](const Contact& contact) { paths.note(contact); });
+  simulation.on_contact([&](const Contact& contact) { paths.record(contact); });
   simulation.run_contacts(state.collisions);
   const Tally& tally = simulation.tally();
   const auto n = static_cast<double>(state.gas.count);

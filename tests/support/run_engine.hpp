@@ -11,7 +11,8 @@ namespace hardball::support {
 RunStatus run(EngineBase& engine, const RunLimits& limits, const auto& observe) {
   ContactSums sums;
   sums.tally.begin(engine.world(), engine.now());
-  return engine.run(limits, sums, {.note = [&](const Contact& contact) { return notify(observe, contact); }});
+  return engine.run(limits, sums,
+                    {.on_contact = [&](const Contact& contact) { return notify(observe, contact); }});
 }
 
 }  // namespace hardball::support

@@ -63,10 +63,10 @@ bool files_are_read(const fs::path& folder) {
   simulation.on_contact([&](const hardball::Contact& contact) {
     ++contacts;
     log.append(contact);
-    recording.note(contact, simulation.world());
+    recording.record(contact, simulation.world());
   });
   simulation.observe({.change = [&](const hardball::VelocityChange& change) {
-    recording.note(change, simulation.world());
+    recording.record(change, simulation.world());
   }});
   simulation.run_until(2, measures);
   log.close();

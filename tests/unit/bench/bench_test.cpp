@@ -76,9 +76,9 @@ TEST(MissedCounter, CountsCollisionsByStep) {
   MissedCounter counter({0.1, 10});
   Contact contact = collision({1, 0, 0}, 1, {1, 0, 0}, {-1, 0, 0});
   contact.time = Time(3);
-  counter.note(contact);
+  counter.record(contact);
   contact.kind = EventKind::wall;
-  counter.note(contact);
+  counter.record(contact);
   MissedCounter sum({0.1, 10});
   sum.add(counter);
   sum.add(counter);

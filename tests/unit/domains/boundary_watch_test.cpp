@@ -41,21 +41,21 @@ class BoundaryWatchTest : public testing::Test {
 TEST_F(BoundaryWatchTest, KnowsSinceWhenASphereMayHaveMetOneNotHeld) {
   first_.begin(0);
   EXPECT_EQ(first_.far_since(), kInfinity);
-  first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
+  first_.record(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
   EXPECT_NEAR(first_.far_since(), 1.5, kRounding);
   EXPECT_LT(first_.far_since(), 1.5);
   EXPECT_EQ(first_.excursion(), 2);
   first_.begin(1.75);
-  first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
+  first_.record(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
   EXPECT_EQ(first_.far_since(), 1.75) << "from the start of the window on";
 }
 
 TEST_F(BoundaryWatchTest, TellsOfNewcomersThoseWhoDoNotHoldThem) {
   first_.begin(0);
   second_.begin(0);
-  first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
+  first_.record(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
   EXPECT_TRUE(outboxes_[0].near_passes.empty());
-  first_.note(kLeg, first_.distances(kLeg.end_position), 0, outboxes_);
+  first_.record(kLeg, first_.distances(kLeg.end_position), 0, outboxes_);
   ASSERT_EQ(outboxes_[0].near_passes.size(), 1U);
   const NearPass& pass = outboxes_[0].near_passes.front();
   EXPECT_NEAR(second_.time_within_guard(pass), 0.5, kRounding);
@@ -63,14 +63,14 @@ TEST_F(BoundaryWatchTest, TellsOfNewcomersThoseWhoDoNotHoldThem) {
   // An own sphere that has been half a unit outside may have met it earlier.
   std::vector<Outbox> others(1);
   const Leg out{.begin = 0, .end = 2, .end_position = {4.5, 2, 2}, .end_velocity = {}};
-  second_.note(out, second_.distances(out.end_position), 1, others);
+  second_.record(out, second_.distances(out.end_position), 1, others);
   EXPECT_NEAR(second_.time_within_guard(pass), 0.25, kRounding);
 }
 
 TEST_F(BoundaryWatchTest, DoesNotTellOfSpheresThatStayAway) {
   first_.begin(0);
   const Leg leg{.begin = 0, .end = 2, .end_position = {2.5, 2, 2}, .end_velocity = {1, 0, 0}};
-  first_.note(leg, first_.distances(leg.end_position), 0, outboxes_);
+  first_.record(leg, first_.distances(leg.end_position), 0, outboxes_);
   EXPECT_TRUE(outboxes_[0].near_passes.empty());
 }
 
@@ -129,7 +129,7 @@ TEST(BoundaryWatch, MissesNothingOnLegsOfAnyLength) {
     const auto holders = static_cast<NeighborSet>(made.random.bits());
     std::vector<Outbox> outboxes(neighbors.size());
     boundary.begin(0);
-    boundary.note(made.leg, boundary.distances(made.leg.end_position), holders, outboxes);
+    boundary.record(made.leg, boundary.distances(made.leg.end_position), holders, outboxes);
     std::vector<BoundaryWatch> others;
     for (const DomainNumber neighbor : neighbors) {
       others.emplace_back(made.partition, neighbor, made.halo, made.motion).begin(0);

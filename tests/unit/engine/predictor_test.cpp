@@ -75,7 +75,7 @@ class Comparison {
 
   void compare(const World& world, const Candidates& candidates, const Time& now) {
     const Expected expected = plain_loop(world, candidates, now);
-    note(world, candidates, now, expected);
+    record(world, candidates, now, expected);
     for (Predictor& predictor : predictors_) {
       expect_same(world, candidates, now, expected, predictor.earliest(world, candidates, now));
       if (testing::Test::HasFailure()) return;
@@ -88,7 +88,7 @@ class Comparison {
   const Coverage& coverage() const { return coverage_; }
 
  private:
-  void note(const World& world, const Candidates& candidates, const Time& now, const Expected& expected) {
+  void record(const World& world, const Candidates& candidates, const Time& now, const Expected& expected) {
     ++coverage_.queries;
     if (!expected.event.happens()) return;
     ++coverage_.contacts;

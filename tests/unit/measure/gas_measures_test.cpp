@@ -46,10 +46,10 @@ TEST(CollisionRate, CountsEachSphereAndPairOfSpecies) {
   world.add({{8, 8, 8}, {0, 0, 0}, 1});
   CollisionRate rate({world, Time(10)});
   rate.sample({world, Time(10)});
-  rate.note(collision(11, 0, 1));
-  rate.note(collision(12, 1, 2));
-  rate.note(collision(13, 1, 2));
-  rate.note(wall_contact(14, 0));
+  rate.record(collision(11, 0, 1));
+  rate.record(collision(12, 1, 2));
+  rate.record(collision(13, 1, 2));
+  rate.record(wall_contact(14, 0));
   const Measurement found = rate.result({world, Time(14)});
   EXPECT_EQ(quantity(found, "collisions").value, 3);
   EXPECT_EQ(quantity(found, "wall_contacts").value, 1);
@@ -111,7 +111,7 @@ Contact collision_at(double speed) {
 TEST(ImpactSpeeds, AreThoseAlongTheLineOfCenters) {
   const World world = make_gas({.count = 1000, .seed = 3});
   ImpactSpeeds speeds({world, Time(0)});
-  for (const double speed : {1.0, 2.0, 2.0, 3.0}) speeds.note(collision_at(speed));
+  for (const double speed : {1.0, 2.0, 2.0, 3.0}) speeds.record(collision_at(speed));
   const Measurement found = speeds.result({world, Time(1)});
   EXPECT_EQ(quantity(found, "mean_impact_speed").value, 2);
   EXPECT_EQ(quantity(found, "mean_square_impact_speed").value, 4.5);
@@ -134,7 +134,7 @@ TEST(ImpactSpeeds, HaveRayleighsDistributionForManySpheres) {
   const double temperature = kSpheres / (kSpheres - 1);
   const World world = make_gas({.count = 4000, .seed = 3});
   ImpactSpeeds speeds({world, Time(0)});
-  speeds.note(collision_at(1));
+  speeds.record(collision_at(1));
   const Measurement found = speeds.result({world, Time(1)});
   EXPECT_NEAR(quantity(found, "mean_impact_speed").theory, std::sqrt(std::numbers::pi * temperature), 2e-4);
   EXPECT_NEAR(quantity(found, "mean_square_impact_speed").theory, 4 * temperature, 1e-3);
@@ -153,7 +153,7 @@ TEST(ImpactSpeeds, AreExactForTwoSpheres) {
   world.add({{2, 2, 2}, {1, 0, 0}, 0.5});
   world.add({{4, 4, 4}, {-1, 0, 0}, 0.5});
   ImpactSpeeds speeds({world, Time(0)});
-  speeds.note(collision_at(1));
+  speeds.record(collision_at(1));
   const Measurement found = speeds.result({world, Time(1)});
   EXPECT_NEAR(quantity(found, "mean_impact_speed").theory, 2 * 2.0 / 3, 1e-12);
   EXPECT_NEAR(quantity(found, "mean_square_impact_speed").theory, 4 * 0.5, 1e-12);
@@ -164,14 +164,14 @@ TEST(ImpactSpeeds, HaveNoTheoryOutOfEquilibrium) {
   open.add({{2, 2, 2}, {1, 0, 0}, 0.5});
   open.add({{4, 4, 4}, {-1, 0, 0}, 0.5});
   ImpactSpeeds speeds({open, Time(0)});
-  speeds.note(collision_at(1));
+  speeds.record(collision_at(1));
   EXPECT_TRUE(std::isnan(quantity(speeds.result({open, Time(1)}), "mean_impact_speed").theory));
 }
 
 // The pressure in a run.
 Measurement pressure_of(Simulation& simulation, const RunLimits& limits) {
   Pressure pressure({simulation.world(), simulation.now()});
-  simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
+  simulation.on_contact([&](const Contact& contact) { pressure.record(contact); });
   simulation.run(limits);
   simulation.on_contact(nullptr);
   return pressure.result({simulation.world(), simulation.now()});
@@ -259,7 +259,7 @@ TEST(Pressure, HasNoTheoryWhereEnergyIsLost) {
       interacting(make_gas({.count = 100, .packing_fraction = 0.2, .seed = 6}), Restitution(0.9)));
   Pressure pressure({simulation.world(), simulation.now()});
   EXPECT_GT(quantity(pressure.result({simulation.world(), simulation.now()}), "compressibility").theory, 2);
-  simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
+  simulation.on_contact([&](const Contact& contact) { pressure.record(contact); });
   simulation.run_contacts(100);
   EXPECT_TRUE(std::isnan(
       quantity(pressure.result({simulation.world(), simulation.now()}), "compressibility").theory));

@@ -31,7 +31,7 @@ Contact contact_of(double time, std::uint32_t first, std::uint32_t second) {
 
 std::uint64_t hash_of(const std::vector<Contact>& log) {
   EventLogHash hash;
-  for (const Contact& contact : log) hash.note(contact);
+  for (const Contact& contact : log) hash.record(contact);
   return hash.value();
 }
 
@@ -186,7 +186,7 @@ TEST(Tally, RecordsTheDeepestOverlap) {
   contact.first_mass = contact.second_mass = 1;
   for (const double distance : {2.5, 1.75, 1.875}) {
     contact.separation = {distance, 0, 0};
-    tally.note(contact);
+    tally.record(contact);
   }
   EXPECT_EQ(tally.max_overlap(), 0.125);
 }
@@ -313,8 +313,8 @@ TEST(DividedSums, AreThoseOfTheRun) {
       };
       for (const Contact& contact : run.contacts) {
         const std::size_t part = any();
-        tallies[part].note(contact);
-        hashes[part].note(contact);
+        tallies[part].record(contact);
+        hashes[part].record(contact);
       }
       for (const Edit& edit : run.edits) tallies[any()].note_edit(edit.energy_change, edit.time);
       for (std::size_t part = 1; part < parts; ++part) {

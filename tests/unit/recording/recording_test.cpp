@@ -53,7 +53,7 @@ Contact contact_at_time(double time) {
 Simulation record(const std::filesystem::path& path, World world, double until) {
   Simulation simulation(std::move(world));
   RecordingWriter writer(path, {.until = until, .name = "test"}, simulation.world());
-  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+  simulation.on_contact([&](const Contact& contact) { writer.record(contact, simulation.world()); });
   simulation.run_until(until);
   writer.close(until);
   simulation.on_contact({});
@@ -179,7 +179,7 @@ TEST_F(Recording, NumbersSurfacesAfterTheFacesOfTheBox) {
     contact.first = 1;
     contact.second = surface;
     contact.after.first = {1, 2, 3};
-    writer.note(contact, make_mixture());
+    writer.record(contact, make_mixture());
     writer.close(2);
   };
   record_contact_with(9);
@@ -209,7 +209,7 @@ TEST_F(Recording, GoesOnFromWhatWasSaved) {
   std::string state;
   std::string saved;
   const auto go_on = [&](RecordingWriter& writer, double until) {
-    simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+    simulation.on_contact([&](const Contact& contact) { writer.record(contact, simulation.world()); });
     simulation.run_until(until);
     simulation.on_contact({});
   };
@@ -238,7 +238,7 @@ TEST_F(Recording, ContainsEveryContactInOrder) {
   {
     RecordingWriter writer(folder_ / "recording.hbr", {}, simulation.world());
     simulation.on_contact([&](const Contact& contact) {
-      writer.note(contact, simulation.world());
+      writer.record(contact, simulation.world());
       noted.push_back(contact);
     });
     simulation.run_until(40);
@@ -325,8 +325,8 @@ TEST_F(Recording, DoesNotAlterTheMotion) {
 TEST_F(Recording, ContactsAtOneTimeAreNotSplit) {
   {
     RecordingWriter writer(folder_ / "recording.hbr", {}, make_mixture());
-    for (int k = 0; k < 1500; ++k) writer.note(contact_at_time(1), make_mixture());
-    for (int k = 0; k < 10; ++k) writer.note(contact_at_time(2), make_mixture());
+    for (int k = 0; k < 1500; ++k) writer.record(contact_at_time(1), make_mixture());
+    for (int k = 0; k < 10; ++k) writer.record(contact_at_time(2), make_mixture());
     writer.close(3);
   }
   const RecordingReader reader(folder_ / "recording.hbr");
@@ -343,7 +343,7 @@ TEST_F(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
   RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_TRUE(reader.chunks().empty());
   EXPECT_EQ(reader.reached(), 0);
-  for (const double time : {1.0, 2.0, 3.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
+  for (const double time : {1.0, 2.0, 3.0, 3.0}) writer.record(contact_at_time(time), make_mixture());
   reader.refresh();
   EXPECT_TRUE(reader.chunks().empty());
   writer.flush();
@@ -354,7 +354,7 @@ TEST_F(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
   writer.flush();
   reader.refresh();
   EXPECT_EQ(reader.chunks().size(), 1U);
-  writer.note(contact_at_time(3), make_mixture());
+  writer.record(contact_at_time(3), make_mixture());
   writer.close(3.5);
   reader.refresh();
   ASSERT_EQ(reader.chunks().size(), 2U);
@@ -365,7 +365,7 @@ TEST_F(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
 
 TEST_F(Recording, PredictsItsLength) {
   RecordingWriter writer(folder_ / "recording.hbr", {}, make_mixture());
-  for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
+  for (const double time : {1.0, 2.0, 3.0}) writer.record(contact_at_time(time), make_mixture());
   const std::uint64_t bytes = writer.bytes();
   writer.close(4);
   EXPECT_EQ(std::filesystem::file_size(folder_ / "recording.hbr"), bytes);
@@ -374,7 +374,7 @@ TEST_F(Recording, PredictsItsLength) {
 TEST_F(Recording, WhatWasNotClosedEndsAtTheLastContact) {
   {
     RecordingWriter writer(folder_ / "recording.hbr", {}, make_mixture());
-    for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
+    for (const double time : {1.0, 2.0, 3.0}) writer.record(contact_at_time(time), make_mixture());
   }
   const RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_EQ(reader.reached(), 3);
@@ -666,7 +666,7 @@ Recorded record_bodies(const std::filesystem::path& path, World world, double un
   RecordingWriter writer(path, {.has_bodies = true, .until = until, .species_names = {"drop", "mist"}},
                          simulation.world());
   simulation.on_contact([&](const Contact& contact) {
-    writer.note(contact, simulation.world());
+    writer.record(contact, simulation.world());
     run.mergers += contact.outcome == ContactOutcome::merge ? 1U : 0U;
   });
   for (int k = 1; k * check_every <= until; ++k) {
@@ -755,7 +755,7 @@ TEST_F(RecordedBodies, MayHaveGapsWhereTheRecordingBeginsMidway) {
   for (const SphereId id : {60U, 149U}) simulation.remove(id);
   std::vector<Snapshot> snapshots{{simulation.time(), simulation.world()}};
   RecordingWriter writer(folder_ / "recording.hbr", recording_header(simulation), simulation.world());
-  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+  simulation.on_contact([&](const Contact& contact) { writer.record(contact, simulation.world()); });
   const std::uint64_t mergers = simulation.tally().mergers();
   for (int k = 7; k <= 20; ++k) {
     simulation.run_until(0.5 * k);
@@ -822,10 +822,10 @@ TEST_F(RecordedBodies, TurnAsTheySpin) {
   change.time = Time(1);
   change.position = {5, 5, 5};
   SphereEdit(world, change.time, 0).store_spin(0, {kQuarter, 0, 0});
-  writer.note(change, world);
+  writer.record(change, world);
   change.time = Time(3);
   SphereEdit(world, change.time, 0).store_spin(0, {});
-  writer.note(change, world);
+  writer.record(change, world);
   writer.close(4);
   RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_EQ(reader.header().has_bodies, true) << "a sphere spins";
@@ -944,7 +944,7 @@ TEST(RecordedGrowth, IsNotInOtherRecordings) {
 std::string small_recording(const ScratchFolder& folder) {
   Simulation simulation(make_mixture());
   RecordingWriter writer(folder / "small.hbr", {.until = 30, .name = "small"}, simulation.world());
-  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+  simulation.on_contact([&](const Contact& contact) { writer.record(contact, simulation.world()); });
   simulation.run_until(2);
   writer.flush();
   simulation.run_until(4);

@@ -121,7 +121,7 @@ TEST(MutatedState, OfARecording) {
   const ScratchFolder folder;
   Simulation simulation(make_gas({.count = 8, .packing_fraction = 0.2}));
   RecordingWriter writer(folder / "recording.hbr", {.has_bodies = true}, simulation.world());
-  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+  simulation.on_contact([&](const Contact& contact) { writer.record(contact, simulation.world()); });
   simulation.run_contacts(20);
   const std::string state = writer.save();
   writer.close(simulation.time());

@@ -289,11 +289,11 @@ TEST(SimulationWithThermostat, IsRecorded) {
   {
     RecordingWriter writer(path, {.name = "test"}, simulation.world());
     simulation.on_contact([&](const Contact& contact) {
-      writer.note(contact, simulation.world());
+      writer.record(contact, simulation.world());
       ++contacts;
     });
     simulation.observe(
-        {.change = [&](const VelocityChange& change) { writer.note(change, simulation.world()); }});
+        {.change = [&](const VelocityChange& change) { writer.record(change, simulation.world()); }});
     simulation.run_until(20);
     simulation.change_velocity(4, {3, 0, 0});
     simulation.run_until(40);

@@ -33,7 +33,7 @@ inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::int64_t>::max
 inline std::uint64_t record(const std::filesystem::path& path, World world, double until) {
   Simulation simulation(std::move(world));
   RecordingWriter writer(path, {.until = until, .name = "gas"}, simulation.world());
-  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+  simulation.on_contact([&](const Contact& contact) { writer.record(contact, simulation.world()); });
   simulation.run_until(until);
   writer.close(until);
   return simulation.event_log_hash();
