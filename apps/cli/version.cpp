@@ -24,7 +24,7 @@ constexpr std::string_view kCompiler = "unknown";
 std::string build_type() {
   std::string type = HARDBALL_BUILD_TYPE;
   if (type.empty()) type = "none";
-#if defined(HARDBALL_VALIDATE)
+#if HARDBALL_VALIDATE
   type += ", with all checks";
 #endif
   return type;
