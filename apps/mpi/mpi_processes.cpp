@@ -98,7 +98,7 @@ std::unique_ptr<MpiProcesses> MpiProcesses::join_others(std::span<const fs::path
   auto processes = std::make_unique<MpiProcesses>(plugin);
   if (processes->size() > 1) return processes;
   if (sign->count > 1) {
-    const std::string library = plugin.library;
+    const std::string library = plugin.implementation;
     refuse_copies(*sign, "the plug-in for MPI is built for " + library + ", which finds one process",
                   "use the mpirun of " + library + ", or build the plug-in for the MPI of this mpirun");
   }

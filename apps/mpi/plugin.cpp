@@ -135,7 +135,7 @@ void abort_all(int exit_code) {
 extern "C" __attribute__((visibility("default"))) const hardball::MpiPlugin* hardball_mpi_plugin() {
   static constexpr hardball::MpiPlugin kPlugin = {
       .version = hardball::kMpiPluginVersion,
-      .library = hardball::kLibrary,
+      .implementation = hardball::kLibrary,
       .join = hardball::join,
       .leave = hardball::leave,
       .exchange = hardball::exchange,

@@ -28,7 +28,7 @@ struct MpiPlugin {
   /// The version of this interface for which the plug-in was built; the first member in all versions.
   std::uint32_t version;
   /// The implementation of MPI with which the plug-in was built, as in "Open MPI 4.1.4".
-  const char* library;
+  const char* implementation;
   /// Joins the other processes: to be called first, and once.
   const char* (*join)(std::size_t* rank, std::size_t* size);
   /// Leaves when all do: to be called last.

@@ -18,8 +18,8 @@
 namespace hardball {
 namespace {
 
-// Makes `count` domains of a layout, from number `first` on. `world` has the spheres as they
-// are at `now`, at least all that these domains own or hold; `post_contact_state` is theirs.
+// Makes `count` domains of a layout, from number `first` on. `world` has the spheres as they are at `now`, at
+// least all that these domains own or hold; `post_contact_state` is what contacts of theirs left behind.
 std::vector<std::unique_ptr<Domain>> make_domains(const Layout& layout, DomainNumber first, std::size_t count,
                                                   const World& world, const Time& now,
                                                   const PostContactState& post_contact_state,

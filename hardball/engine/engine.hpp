@@ -54,7 +54,7 @@ class Engine final : public EngineBase {
   PhaseLengths lengths() const override { return phase().lengths(); }
   PostContactState post_contact_state() const override { return post_contact_; }
   void take_over(const PostContactState& post_contact_state) override { post_contact_ = post_contact_state; }
-  /// The part of the post_contact_state that domains divide among them.
+  /// What contacts left behind that domains divide among them.
   const CollapseGuard& collapse_guard() const { return post_contact_.collapse; }
   Time now() const override { return forecast_.now(); }
 

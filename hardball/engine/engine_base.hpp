@@ -117,7 +117,7 @@ class EngineBase {
   virtual void rewind_to_begin() = 0;
 
   virtual PostContactState post_contact_state() const = 0;
-  /// Continues for another engine, or with an post_contact_state that has been edited between runs.
+  /// Continues for another engine, or with what contacts left behind, edited between runs.
   virtual void take_over(const PostContactState& post_contact_state) = 0;
 
   /// Checks every structure, and that every contact is predicted; throws BrokenInvariant. Cost:

@@ -19,7 +19,7 @@ void leave() {}
 extern "C" __attribute__((visibility("default"))) const hardball::MpiPlugin* hardball_mpi_plugin() {
   static constexpr hardball::MpiPlugin kPlugin = {
       .version = hardball::kMpiPluginVersion + HARDBALL_VERSIONS_AHEAD,
-      .library = "Fake MPI 1.0",
+      .implementation = "Fake MPI 1.0",
       .join = join,
       .leave = leave,
       .exchange = nullptr,

@@ -99,8 +99,8 @@ TEST_F(ComparisonTest, CorrectsOnlyWhatDiffers) {
   EXPECT_EQ(comparison_.corrections().front().ghost, ownership_.find_ghost(1));
 }
 
-// A contact of ghosts matters where they come near the block: there the owner is told to conflict, since
-// when.
+// A contact of ghosts matters where they come near the block: there the owner is told of the
+// conflict, and since when there has been one.
 TEST_F(ComparisonTest, ReportsGhostsThatDifferNearTheBlock) {
   EXPECT_EQ(compare({noted(record(1, 2, 1))}, {record(1, 2, 1.5)}), kInfinity);
   ASSERT_EQ(outboxes_[0].conflicts.size(), 1U);
