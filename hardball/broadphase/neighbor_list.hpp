@@ -109,8 +109,10 @@ class NeighborList final : public BroadPhase {
   const Anchor& stored_region(Slot slot) const { return lines_[slot].region<Anchor>(); }
   // For how long a straight path stays in the ball around an anchor, in units of the compact paths; NaN if it
   // is not bounded.
-  float wait_in_ball(const CompactPaths& copies, const std::array<std::int32_t, 3>& center,
-                     const std::array<float, 3>& velocity, const std::array<std::int32_t, 3>& anchor) const {
+  HARDBALL_ALWAYS_INLINE float wait_in_ball(const CompactPaths& copies,
+                                            const std::array<std::int32_t, 3>& center,
+                                            const std::array<float, 3>& velocity,
+                                            const std::array<std::int32_t, 3>& anchor) const {
     float outwards = 0;
     float speed_squared = 1e-30F;  // of a sphere at rest the wait is finite, but longer than any copy is good
     float room = room_squared_;

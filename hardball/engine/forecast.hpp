@@ -241,7 +241,7 @@ class Forecast {
     compact_.prefetch(own.partner());
   }
   // Refines the bounds of a whole bucket, which takes less than one by one.
-  void refine(std::span<QueueEntry> entries) {
+  HARDBALL_ALWAYS_INLINE void refine(std::span<QueueEntry> entries) {
     if (!uses_minimum_image_) return;
     pairs_.begin(entries.size());
     for (const QueueEntry& entry : entries) {
@@ -285,7 +285,7 @@ class Forecast {
   }
 
   // Collects the candidates of a sphere, and apart from them those that are inside of a step with it.
-  void collect(Slot slot, Candidates& candidates, StepCandidates& pairs) const {
+  HARDBALL_ALWAYS_INLINE void collect(Slot slot, Candidates& candidates, StepCandidates& pairs) const {
     phase_.visit([&](const auto& phase) { phase.collect(world_, slot, candidates); });
     if (has_excluded_) [[unlikely]]
       exclude(candidates, pairs);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/geometry/time.hpp"
 #include "hardball/interaction/contact.hpp"
@@ -65,7 +66,7 @@ struct ContactObserver {
 /// Calls an observer with a contact, and returns whether the run continues: an observer that returns a bool
 /// decides.
 template <class Observe>
-bool notify(Observe& observe, const Contact& contact) {
+HARDBALL_ALWAYS_INLINE bool notify(Observe& observe, const Contact& contact) {
   if constexpr (std::same_as<std::invoke_result_t<Observe&, const Contact&>, bool>) {
     return observe(contact);
   } else {
