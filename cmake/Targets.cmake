@@ -8,6 +8,10 @@ function(hardball_compile_strictly target)
   if(HARDBALL_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
   endif()
+  # A tenth of the compiler's time would go into collecting the garbage of units that fit into memory without it.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE "SHELL:--param ggc-min-heapsize=524288")
+  endif()
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     # A square root is one instruction: we never read errno.
     target_compile_options(${target} PRIVATE -fno-math-errno)
