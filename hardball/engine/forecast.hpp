@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "hardball/events/event_queue.hpp"
 #include "hardball/events/plan.hpp"
 #include "hardball/geometry/inlining.hpp"
+#include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/world/images.hpp"
 #include "hardball/world/pair_event.hpp"
@@ -354,8 +356,11 @@ class Forecast {
   void predict_exactly(Slot slot) {
     collect(slot, candidates_, step_candidates_);
     counters_.predictions += candidates_.size();
-    take(slot, predictor_.earliest(world_, candidates_, now_));
-    if (has_walls_) {
+    take(slot, uses_minimum_image_ ? predictor_.earliest(world_, compact_, candidates_, now_)
+                                   : predictor_.earliest(world_, candidates_, now_));
+    // A wall may be earlier in the low part of its time, too.
+    const double later = std::nextafter(plan(slot).contact(), kNever.high);
+    if (has_walls_ && may_meet_wall(world_, slot, later, now_, obstacle_range())) {
       const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
       if (wall.happens() && wall.time < plan(slot).contact_time())
         mutable_plan(slot).set_wall(wall.time, wall.second);
@@ -418,7 +423,7 @@ class Forecast {
   CompactPaths compact_;
   BoundWatch bound_watch_;
   Time now_;
-  std::vector<Image> images_;  // per slot, of the partner; none where nearest images are meant
+  LargeVector<Image> images_;  // per slot, of the partner; none where nearest images are meant
   bool uses_minimum_image_ = true;
   bool is_cached_ = true;  // prefetching all data ahead does not pay
   bool are_alike_ = true;  // all spheres, in radius and mass

@@ -3,6 +3,8 @@
 #include "hardball/engine/predictor.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "hardball/events/event.hpp"
 #include "hardball/world/images.hpp"
@@ -51,6 +53,43 @@ void Predictor::compute(const World& world, const Time& now, PairContacts& pairs
       .images = sliding_images_of(world),
   };
   kernels_->contacts_of_pairs(query, pairs.high.data(), pairs.low.data());
+}
+
+PredictedContact Predictor::earliest(const World& world, const CompactPaths& copies,
+                                     const Candidates& candidates, const Time& now) const {
+  constexpr std::size_t kFew = 8;
+  if (candidates.size() <= kFew || world.has_steps() || !is_usual(copies, candidates))
+    return earliest(world, candidates, now);
+  const Slot self = candidates.self();
+  const double base = rounded_down(now);
+  std::array<std::uint32_t, BoundKeys::kMax> keys;
+  const BoundKeys least =
+      kernels_->bound_each_contact(copies.scale(), copies.paths().data(), copies.radii_for_bounds(),
+                                   query_of(copies, candidates, base, copies.slide_at(now)), keys);
+  if (!BoundKeys::touches(least.first)) return {};
+  std::array<Slot, BoundKeys::kMax + kWidestVector> chosen;
+  const auto earliest_between = [&](std::uint32_t first, std::uint32_t end) {
+    const std::size_t count = kernels_->keep_between(candidates.slots(), keys.data(), candidates.size(), first,
+                                                     end, chosen.data());
+    if (count == 0) return EarliestContact{kNever.high, 0, self, false};
+    std::fill_n(chosen.begin() + static_cast<std::ptrdiff_t>(count), kWidestVector, self);
+    EarliestContact found = earliest_of(world, self, chosen.data(), count, nullptr, now);
+    found.index = chosen[found.index];
+    return found;
+  };
+  // First those that may come at once: where spheres nearly touch, several waits are zero.
+  const std::uint32_t soon = BoundKeys::above(BoundKeys::wait(least.second));
+  EarliestContact found = earliest_between(0, soon);
+  // Then those whose bounds are not later, rounding included.
+  constexpr double kRoundedUp = 1 + 0x1p-20;
+  const double wait = kRoundedUp * (std::nextafter(found.high, kNever.high) - base) / copies.time_unit();
+  const EarliestContact other = earliest_between(soon, BoundKeys::above(static_cast<float>(wait)));
+  const bool is_tied = other.high == found.high;
+  if (other.high < found.high) found = other;
+  if (!(found.high < kNever.high)) return {};
+  if (found.is_tied || is_tied) [[unlikely]]
+    return earliest_in_order(world, candidates, now);
+  return {{found.high, found.low}, found.index, Image{}};
 }
 
 BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Candidates& candidates,

@@ -104,23 +104,9 @@ class Predictor {
     if (!candidates.uses_minimum_image()) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) shifts[axis] = candidates.shifts(axis);
     }
-    const ContactQuery query{
-        .paths = world.paths().data(),
-        .radii = world.base_radii().is_common() ? nullptr : world.base_radii().each().data(),
-        .radius = world.base_radius(candidates.self()),
-        .self = candidates.self(),
-        .others = candidates.slots(),
-        .count = candidates.size(),
-        .shifts = candidates.uses_minimum_image() ? nullptr : shifts,
-        .period = &world.box().period(),
-        .inverse_period = &world.box().inverse_period(),
-        .now_high = now.high,
-        .now_low = now.low,
-        .gravity = gravity_of(world),
-        .growth = growth_of(world),
-        .images = sliding_images_of(world),
-    };
-    const EarliestContact found = kernels_->earliest_contact(query);
+    const EarliestContact found =
+        earliest_of(world, candidates.self(), candidates.slots(), candidates.size(),
+                    candidates.uses_minimum_image() ? nullptr : shifts, now);
     if (!(found.high < kNever.high)) return {};
     if (found.is_tied) [[unlikely]]
       return earliest_in_order(world, candidates, now);
@@ -128,6 +114,12 @@ class Predictor {
             candidates.slot(found.index),
             candidates.uses_minimum_image() ? Image{} : candidates.image(found.index)};
   }
+
+  /// The earliest contact, as earliest() finds it, computed only for those candidates whose bounds do not
+  /// exclude that they come first. Precondition: `candidates` has been ended, means nearest images, and the
+  /// sphere has been copied at `now`.
+  PredictedContact earliest(const World& world, const CompactPaths& copies, const Candidates& candidates,
+                            const Time& now) const;
 
   /// The earliest event of a sphere with those that are inside of a step with it, by time alone; if another
   /// is as early, is_tied. Cost: O(size).
@@ -215,6 +207,26 @@ class Predictor {
     return {base + unit * static_cast<double>(BoundKeys::wait(keys.first)),
             base + unit * static_cast<double>(BoundKeys::wait(keys.second)),
             candidates.slots()[BoundKeys::index(keys.first)]};
+  }
+
+  // The earliest contact with `count` others, by time alone. `shifts` as in the query.
+  EarliestContact earliest_of(const World& world, Slot self, const Slot* others, std::size_t count,
+                              const double* const* shifts, const Time& now) const {
+    return kernels_->earliest_contact(
+        {.paths = world.paths().data(),
+         .radii = world.base_radii().is_common() ? nullptr : world.base_radii().each().data(),
+         .radius = world.base_radius(self),
+         .self = self,
+         .others = others,
+         .count = count,
+         .shifts = shifts,
+         .period = &world.box().period(),
+         .inverse_period = &world.box().inverse_period(),
+         .now_high = now.high,
+         .now_low = now.low,
+         .gravity = gravity_of(world),
+         .growth = growth_of(world),
+         .images = sliding_images_of(world)});
   }
 
   // The bounded contacts of a sphere that is too fast to be bounded, or has many candidates.

@@ -357,9 +357,9 @@ class CalendarQueue {
   std::size_t pending_count_ = 0;            // entries since the last insert_pending()
   std::vector<Entry> sorted_;                // of the current bucket, latest first: the least is at the back
   std::vector<Scheduled> heap_;  // scheduled in the current bucket since it was sorted; the least in front
-  std::vector<Bucket> buckets_;  // a ring, a power of two
+  LargeVector<Bucket> buckets_;  // a ring, a power of two
   LargeVector<Block> blocks_;
-  std::vector<std::uint32_t> next_block_;  // of the same bucket, or of the free ones
+  LargeVector<std::uint32_t> next_block_;  // of the same bucket, or of the free ones
   std::uint32_t free_block_ = kNone;
   std::vector<Entry> overflow_;  // beyond the end of the ring
   double origin_ = 0;

@@ -50,6 +50,11 @@ struct BoundKeys {
   /// [T], in units; infinite if the candidate will not touch.
   static float wait(std::uint32_t key) { return std::bit_cast<float>(key & ~kIndex); }
   static std::size_t index(std::uint32_t key) { return key & kIndex; }
+  /// A key above those of all waits up to this one.
+  static std::uint32_t above(float wait) {
+    const std::uint32_t above = (std::bit_cast<std::uint32_t>(wait) | kIndex) + 1;
+    return above < kForever ? above : kForever;
+  }
 
   std::uint32_t first;
   std::uint32_t second;
@@ -69,6 +74,18 @@ struct BoundQuery {
 /// may differ in its last bits between instruction sets: contact times are never computed from it.
 using BoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
                                   const BoundQuery& query);
+
+/// Bounds the waits as a BoundKernel does, and writes the keys of all candidates, to whole vectors; that of the
+/// sphere itself says that it is not touched.
+using EachBoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
+                                      const BoundQuery& query, std::array<std::uint32_t, BoundKeys::kMax>& keys);
+
+/// Writes to `kept` those of the `count` slots at `slots` whose keys are at least `first` and less than `end`,
+/// and returns how many there are. Precondition: arrays are padded to whole vectors, the keys with no less than
+/// `end`, and `kept` has room for one more; `end` is at most BoundKeys::kForever.
+using KeepBetweenKernel = std::size_t (*)(const std::uint32_t* slots, const std::uint32_t* keys,
+                                          std::size_t count, std::uint32_t first, std::uint32_t end,
+                                          std::uint32_t* kept);
 
 /// A sphere, and those that are inside of a step of a potential with it, padded to a whole vector with
 /// itself, on straight paths.

@@ -5,8 +5,10 @@
 // Compiled once for each instruction set: see contact_kernel_body.hpp.
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "hardball/geometry/vec3.hpp"
@@ -334,6 +336,40 @@ std::array<BoundKeys, 2> bound_contacts_of_two(const BoundScale& scale, const Co
     return bound_contacts_of_two_moving<Floats, falling>(scale, paths, radii, one, other);
   if (scale.has_shear) return bound_contacts_of_two_moving<Floats, sheared>(scale, paths, radii, one, other);
   return bound_contacts_of_two_moving<Floats, straight>(scale, paths, radii, one, other);
+}
+
+template <class Floats, BoundedMotion kind>
+BoundKeys bound_each_contact_moving(const BoundScale& scale, const CompactPath* paths, const float* radii,
+                                    const BoundQuery& query,
+                                    std::array<std::uint32_t, BoundKeys::kMax>& each) {
+  Keys<Floats, false> keys;
+  find_keys<true, kind>(scale, paths, radii, query, keys);
+  std::memcpy(each.data(), keys.all, sizeof keys.all);
+  return least_two(query, keys);
+}
+
+template <class Floats>
+BoundKeys bound_each_contact(const BoundScale& scale, const CompactPath* paths, const float* radii,
+                             const BoundQuery& query, std::array<std::uint32_t, BoundKeys::kMax>& each) {
+  using enum BoundedMotion;
+  if (scale.has_growth) return bound_each_contact_moving<Floats, growing>(scale, paths, radii, query, each);
+  if (scale.has_gravity) return bound_each_contact_moving<Floats, falling>(scale, paths, radii, query, each);
+  if (scale.has_shear) return bound_each_contact_moving<Floats, sheared>(scale, paths, radii, query, each);
+  return bound_each_contact_moving<Floats, straight>(scale, paths, radii, query, each);
+}
+
+template <class Floats>
+std::size_t keep_between(const std::uint32_t* slots, const std::uint32_t* keys, std::size_t count,
+                         std::uint32_t first, std::uint32_t end, std::uint32_t* kept) {
+  using Integers = typename Floats::Integers;
+  std::uint32_t* next = kept;
+  for (std::size_t i = 0; i < count; i += Floats::kWidth) {
+    const Integers key = Integers::load(keys + i);
+    const unsigned are_between = bits(!(key < Integers(first)) && key < Integers(end));
+    Integers::load(slots + i).keep(are_between, next);
+    next += std::popcount(are_between);
+  }
+  return static_cast<std::size_t>(next - kept);
 }
 
 /// The kernel for steps.

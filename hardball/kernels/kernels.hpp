@@ -16,6 +16,8 @@ struct Kernels {
   StepKernel earliest_step;
   BoundKernel bound_contacts;
   BoundPairKernel bound_contacts_of_two;
+  EachBoundKernel bound_each_contact;
+  KeepBetweenKernel keep_between;
   StepBoundKernel bound_steps;
   NearKernel pick_near;
   DifferenceKernel find_differences;

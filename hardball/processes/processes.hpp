@@ -42,10 +42,10 @@ class HARDBALL_EXPORT Processes {
   /// The value of the first process, in all of them. Precondition: T is trivially copyable.
   template <class T>
   T of_first(const T& own) {
-    struct Value {
+    struct Alone {
       T value;
     };
-    return size() == 1 ? own : gather(Value{own}).front().value;
+    return size() == 1 ? own : gather(Alone{own}).front().value;
   }
   /// Sends outgoing[k] to process k, and returns what each has sent. Precondition: `outgoing` has size().
   std::vector<std::string> exchange_with_all(std::vector<std::string> outgoing);

@@ -4,9 +4,9 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "hardball/events/event.hpp"
+#include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 
 namespace hardball {
@@ -62,7 +62,7 @@ class PerSphere {
   /// Moves the number of slot order[k] to slot k.
   void reorder(std::span<const Slot> order) {
     if (each_.empty()) return;
-    std::vector<double> moved(each_.size());
+    LargeVector<double> moved(each_.size());
     for (std::size_t k = 0; k < moved.size(); ++k) moved[k] = each_[order[k]];
     each_.swap(moved);
   }
@@ -81,7 +81,7 @@ class PerSphere {
   bool restored() const { return each_.empty() || each_.size() == size_; }
 
   double common_ = 0;
-  std::vector<double> each_;
+  LargeVector<double> each_;
   std::size_t size_ = 0;
 };
 

@@ -123,9 +123,9 @@ class HARDBALL_EXPORT Spheres {
   PerSphere radii_;
   PerSphere masses_;
   PerSphere inertia_factors_;
-  std::vector<Image> folded_;
-  std::vector<Vec3> spins_;         // none if no sphere spins
-  std::vector<SpeciesId> species_;  // none if all are zero
+  LargeVector<Image> folded_;
+  LargeVector<Vec3> spins_;         // none if no sphere spins
+  LargeVector<SpeciesId> species_;  // none if all are zero
   std::size_t kinematic_count_ = 0;
 };
 

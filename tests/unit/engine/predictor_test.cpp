@@ -64,6 +64,7 @@ struct Coverage {
   std::uint64_t bounds = 0;             // of contacts that come
   std::uint64_t bounds_after_now = 0;   // among them
   std::uint64_t contacts_excluded = 0;  // pairs of which the bound says that they do not meet
+  std::uint64_t chosen = 0;             // queries of many candidates, of which bounds choose some
 };
 
 // Compares all instruction sets with the plain loop.
@@ -175,6 +176,24 @@ class Comparison {
         coverage_.bounds_after_now += bound > now.high ? 1U : 0U;
       }
     }
+    compare_chosen(world, now);
+  }
+
+  // Exact contacts of those that bounds choose among the near ones whose contacts are still to come.
+  void compare_chosen(const World& world, const Time& now) {
+    const Slot self = near_.self();
+    to_come_.begin(self, true);
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+      const Slot other = near_.slot(i);
+      if (!(contact_time(world, self, other, nearest_image(world, self, other, now)) < now)) to_come_.add(other);
+    }
+    to_come_.end();
+    const Expected expected = plain_loop(world, to_come_, now);
+    for (const Predictor& predictor : predictors_) {
+      expect_same(world, to_come_, now, expected, predictor.earliest(world, copies_, to_come_, now));
+    }
+    constexpr std::size_t kMany = 12;
+    coverage_.chosen += to_come_.size() > kMany && expected.event.happens() ? 1U : 0U;
   }
 
   // From 0 to 1, both included.
@@ -201,6 +220,7 @@ class Comparison {
   PairContacts pairs_;
   CompactPaths copies_;
   Candidates near_;
+  Candidates to_come_;
   Random random_{11};
   Coverage coverage_;
 };
@@ -402,6 +422,7 @@ TEST_P(EveryPredictor, AgreesWithThePlainLoop) {
   EXPECT_GT(coverage.bounds, coverage.queries);
   EXPECT_GT(coverage.bounds_after_now, coverage.bounds / 10);
   EXPECT_GT(coverage.contacts_excluded, coverage.bounds / 10);
+  EXPECT_GT(coverage.chosen, coverage.queries / 20);
 }
 
 constexpr std::array kAllPeriodic = {kPeriodic, kPeriodic, kPeriodic};
