@@ -289,6 +289,8 @@ void Packer::advance() {
     return;
   }
   const GrowthSchedule& growth = *simulation_.growth();
+  // Where spheres are as large as they can be, or are to be, no epoch begins that could end.
+  if (growth.is_over()) return after_epoch();
   const std::uint64_t epoch = growth.epochs();
   // An epoch may be ended before its time.
   const std::uint64_t left = growth.contacts_left(simulation_.tally(), simulation_.size());
@@ -377,6 +379,8 @@ void Packer::step() {
       }
     }
   }
+  // The largest sphere fills the container, and the pressure is still too low.
+  if (has_no_room_ && next > present) return weigh(State::locked);
   before_step_ = simulation_.save();
   grow(next > present ? rate_ : -rate_, next);
 }

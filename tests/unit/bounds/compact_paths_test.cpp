@@ -195,6 +195,46 @@ TEST(CompactPaths, SayNothingVeryLongAfterUnitsWereChosen) {
   EXPECT_FALSE(says_nothing(copies, at_rest));
 }
 
+// What docs/bounds.md derives from the greatest speed of a bounded sphere, eight times the root mean square,
+// and from the growth of the sum of two radii.
+TEST(CompactPaths, AllowForTheErrorsOfTheFastestGaps) {
+  constexpr double kFarthest = 3;
+  for (const double growth : {-0.5, 0.0, 0.5, 50.0}) {
+    World world = ten_spheres();
+    if (growth != 0) world.set_growth({Time(0), Time(1), 1, growth});
+    const double largest = world.motion().growth().largest_scale();
+    CompactPaths copies;
+    copies.reset(world, kFarthest, Time(0));
+    const BoundScale& scale = copies.scale();
+    const double l = kFarthest / copies.length_unit();
+    const double speed_unit = copies.length_unit() / copies.time_unit();
+    const double w = (2 * 8 + kFarthest * std::max(growth, 0.0) / largest) / speed_unit;
+    const auto expect_rounded_up = [](float number, double exact) {
+      EXPECT_GE(number, exact * (1 - 0x1p-50));
+      EXPECT_LE(number, exact * (1 + 0x1p-22));
+    };
+    expect_rounded_up(scale.speed_error, 0x1p-23 * w);
+    expect_rounded_up(scale.approach_allowance, 0x1p-19 * l * w);
+    expect_rounded_up(scale.speed_allowance, 0x1p-44 * w * w);
+    expect_rounded_up(scale.least_discriminant, 0x1p-60 * l * l * w * w);
+  }
+}
+
+TEST(CompactPaths, AreGoodUntilAFallingSphereHasMovedByTheDistance) {
+  constexpr double kFarthest = 3;
+  for (const double speed : {0.0, 1.0, 30.0}) {
+    World world(Box(), {0, 0, -10});
+    world.add({{}, {0, 0, -speed}, 0.5, 1});
+    CompactPaths copies;
+    copies.reset(world, kFarthest, Time(0));
+    ASSERT_FALSE(says_nothing(copies, 0));
+    const double age = copies.longest_age(0);
+    const double fallen = speed * age + 10 * age * age / 2;
+    EXPECT_LE(fallen, kFarthest);
+    EXPECT_GT(fallen, 0.99 * kFarthest);
+  }
+}
+
 void renew_if_outdated(CompactPaths& copies, const World& world, const Time& now) {
   if (copies.are_outdated()) copies.renew(world, now);
 }

@@ -311,6 +311,17 @@ TEST(CellTable, GivesListsWhereSpheresAreExpected) {
   check_lists_where_spheres_are_expected({CellSpan{-5, 12}, {10, 30}, {0, 60}});
 }
 
+// However many boxes away its index is, and whether the cells expected touch or pass a face of the box.
+TEST(CellTable, GivesACellTheListThatItHasInTheBox) {
+  const Subdivision cells = cells_of({20, 1, 1});
+  for (const CellSpan& expected : {CellSpan{0, 1}, {0, 5}, {7, 5}, {15, 5}, {19, 1}, {-3, 5}, {17, 5}}) {
+    const CellTable table(cells, 5, {expected, {0, 1}, {0, 1}});
+    ASSERT_TRUE(table.is_shared());
+    for (std::int32_t index = -60; index < 60; ++index)
+      EXPECT_EQ(table.list({index, 0, 0}), table.list(cells.folded({index, 0, 0}))) << index;
+  }
+}
+
 TEST(CellTable, GivesAllCellsListsIfThatIsNotMuchMore) {
   const CellTable table(cells_of({10, 10, 10}), 3000, {CellSpan{0, 8}, {0, 10}, {0, 10}});
   EXPECT_FALSE(table.is_shared());

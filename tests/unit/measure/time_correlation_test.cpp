@@ -144,6 +144,37 @@ TEST(MeanSquareDisplacement, DoesNotCountTheDrift) {
   EXPECT_TRUE(std::isnan(quantity(found, "diffusion_constant").value)) << "free flight has no linear part";
 }
 
+// Steps of one radius up or down along each axis, one in each unit of time: D is half of their square.
+TEST(MeanSquareDisplacement, OfARandomWalkGrowsByItsDiffusionConstant) {
+  constexpr double kRadius = 0.5;
+  constexpr int kSteps = 64;
+  for (const Box& box : {Box::flat_periodic(1000, 1000), Box::periodic({1000, 1000, 1000})}) {
+    Random random(3);
+    std::vector<Vec3> places(400, 0.5 * box.size());
+    const auto walkers = [&](double speed) {
+      World world(box);
+      for (std::size_t i = 0; i < places.size(); ++i)
+        world.add({places[i], {i % 2 == 0 ? speed : -speed, 0, 0}, kRadius});
+      return world;
+    };
+    // So fast that they would soon meet.
+    const World start = walkers(1e6);
+    MeanSquareDisplacement displacement({start, Time(0)}, 1);
+    for (int step = 0; step <= kSteps; ++step) {
+      displacement.sample({walkers(0), Time(step)});
+      for (Vec3& place : places) {
+        for (std::size_t axis = 0; axis < box.dimensions(); ++axis)
+          place[axis] += random.uniform() < 0.5 ? kRadius : -kRadius;
+      }
+    }
+    const Measurement found = displacement.result({start, Time(kSteps)});
+    const Quantity& constant = quantity(found, "diffusion_constant");
+    constexpr double kExpected = kRadius * kRadius / 2;
+    EXPECT_LT(constant.error, 0.1 * kExpected);
+    EXPECT_NEAR(constant.value, kExpected, 4 * constant.error);
+  }
+}
+
 TEST(VelocityAutocorrelation, OfFreeFlightStaysAndItsIntegralGrows) {
   const World world = two_streams();
   VelocityAutocorrelation velocities({world, Time(0)}, 0.5);

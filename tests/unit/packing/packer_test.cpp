@@ -327,6 +327,38 @@ TEST(Packer, OneSphereFillsItsContainer) {
   EXPECT_NEAR(packing.spheres.radii[0], 1.5, 1e-6);
 }
 
+void expect_end_without_room(const PackingRequest& request, Packing::Status status) {
+  Packer packer(plan(request));
+  constexpr int kMany = 40;
+  for (int k = 0; k < kMany && !packer.is_over(); ++k) packer.advance();
+  ASSERT_TRUE(packer.is_over()) << name_of(packer.state());
+  const Packing packing = packing_of(packer);
+  EXPECT_EQ(packing.status, status);
+  EXPECT_EQ(packing.reason, "the largest sphere fills the container");
+}
+
+// Four spheres that touch their own images along the shortest edge have pressures of about 200 and 9.
+TEST(Packer, EndsBelowThePressureWantedWhereTheLargestSphereFillsTheContainer) {
+  PackingRequest request;
+  request.count = 4;
+  request.goal = PackingRequest::Pressure{1e4};
+  for (const double edge : {1.5, 2.0}) {
+    request.container = Container::periodic({2, edge, 1});
+    expect_end_without_room(request, Packing::Status::not_reached);
+  }
+}
+
+TEST(Packer, EndsAtOnceWhereTheLargestSphereFillsTheContainerAtTheStart) {
+  PackingRequest request;
+  request.start.emplace();
+  request.start->spheres.push_back({.position = {0.5, 0.5, 0.5}, .radius = 0.5});
+  for (double x = 1.5; x < 12; x += 0.25)
+    request.start->spheres.push_back({.position = {x, 0.5, 0.3}, .radius = 0.1});
+  request.start->box = SnapshotBox{{}, {12, 12, 1}, {true, true, true}};
+  request.goal = PackingRequest::Densest{};
+  expect_end_without_room(request, Packing::Status::jammed);
+}
+
 TEST(Packing, GoesOnAsAGas) {
   PackingRequest request;
   request.count = 100;

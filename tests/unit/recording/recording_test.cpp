@@ -282,16 +282,28 @@ void expect_chunks_follow_each_other(RecordingReader& reader) {
   }
 }
 
-TEST_F(Recording, ItsPathsAreTheStoredPathsBitForBit) {
-  const Simulation simulation =
-      record(folder_ / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), 5);
-  RecordingReader reader(folder_ / "recording.hbr");
+void expect_stored_paths(const std::filesystem::path& path, World world) {
+  const Simulation simulation = record(path, std::move(world), 5);
+  RecordingReader reader(path);
   ASSERT_GT(reader.chunks().size(), 2U);
   const std::vector<RecordedPath> paths = reader.read(reader.chunks().size() - 1).paths_at(5);
   for (SphereId id = 0; id < simulation.size(); ++id) {
     EXPECT_EQ(paths[id], stored_path(simulation.world(), id)) << id;
   }
   expect_chunks_follow_each_other(reader);
+}
+
+TEST_F(Recording, ItsPathsAreTheStoredPathsBitForBit) {
+  expect_stored_paths(folder_ / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}));
+}
+
+TEST_F(Recording, ItsPathsAreTheStoredPathsAlsoOfSpheresThatMetSlidingImages) {
+  const World gas = make_gas({.count = 200, .packing_fraction = 0.3});
+  Box box = gas.box();
+  box.set_shear({.rate = 0.5});
+  World sheared(box);
+  for (const Path& path : gas.paths()) sheared.add({path.position, path.velocity, kDiameter / 2});
+  expect_stored_paths(folder_ / "recording.hbr", std::move(sheared));
 }
 
 // The recording drops the low part of a time t, up to 2^-53 t: at each end of a path, a sphere is displaced
@@ -361,6 +373,21 @@ TEST_F(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
   EXPECT_EQ(reader.chunks()[1].contacts, 3U);
   EXPECT_EQ(reader.reached(), 3.5);
   EXPECT_EQ(reader.length(), std::filesystem::file_size(folder_ / "recording.hbr"));
+}
+
+TEST_F(Recording, FlushWritesNothingThatTakesNoTime) {
+  RecordingWriter writer(folder_ / "recording.hbr", {}, make_mixture());
+  RecordingReader reader(folder_ / "recording.hbr");
+  const auto chunks_after = [&](double time) {
+    writer.record(contact_at_time(time), make_mixture());
+    writer.flush();
+    reader.refresh();
+    return reader.chunks().size();
+  };
+  EXPECT_EQ(chunks_after(0), 0U);
+  EXPECT_EQ(chunks_after(1), 0U) << "of the time 0 alone";
+  ASSERT_EQ(chunks_after(2), 1U);
+  EXPECT_EQ(reader.chunks()[0].contacts, 2U);
 }
 
 TEST_F(Recording, PredictsItsLength) {

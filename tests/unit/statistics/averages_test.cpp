@@ -134,6 +134,16 @@ TEST(BlockAverage, TakesRatiosBlockByBlock) {
   EXPECT_TRUE(std::isnan(exact.ratio(0, 1).error));
 }
 
+TEST(BlockAverage, HasAHistoryOfTheMiddlesOfItsBlocks) {
+  BlockAverage average;
+  average.add(std::array{3.0}, 12, 2);
+  average.add(std::array{7.0}, 12, 0);
+  average.add(std::array{5.0}, 16, 4);
+  EXPECT_EQ(average.history([](std::span<const double> means) { return means[0]; }),
+            (std::vector<double>{3, 5}));
+  EXPECT_EQ(average.middles(10), (std::vector<double>{11, 14}));
+}
+
 TEST(BlockAverage, LeavesOutBlocksThatEndedBefore) {
   BlockAverage average;
   for (int i = 0; i < 25; ++i) average.add(std::array{i < 5 ? 100.0 : 1.0 + i % 2}, i);
@@ -167,6 +177,8 @@ TEST(BlockAverage, OfASingleSampleHasTheErrorOfItsGroups) {
   EXPECT_NEAR(average.ratio(0, 1).error, expected, 1e-3);
   EXPECT_NEAR(average.estimate(kRatio, BlockAverage::Groups::separate).error, expected, 1e-3);
   EXPECT_NEAR(average.estimate(kRatio, BlockAverage::Groups::exchanging).error, expected, 1e-3);
+  const double of_coupled = std::sqrt(2) * expected;
+  EXPECT_NEAR(average.estimate(kRatio, BlockAverage::Groups::coupled).error, of_coupled, 1e-3);
   EXPECT_TRUE(std::isnan(average.estimate(kRatio).error));
   EXPECT_TRUE(std::isnan(average.ratio(0).error));
 }

@@ -452,7 +452,8 @@ TEST(LammpsDump, IsRefusedWhereItDoesNotSayHowTheBoxEnds) {
   EXPECT_EQ(box_of(" pp ff pp").is_periodic, (std::array{true, false, true}));
   EXPECT_FALSE(box_of(" pp ff fm").is_periodic[2]);
   EXPECT_TRUE(box_of(" pp ff fm").is_unbounded);
-  for (const char* const unknown : {"", " pp pp", " pp pp yes", " pf pp pp", " pp pp p", " periodic ff ff"}) {
+  for (const char* const unknown :
+       {"", " pp pp", " pp pp yes", " pf pp pp", " pp fp ff", " pp pp p", " periodic ff ff"}) {
     EXPECT_THROW(box_of(unknown), Error) << unknown;
   }
 }
