@@ -18,8 +18,8 @@ void Forecast::rebuild(const Time& now, const Progress& progress) {
   images_.assign(uses_minimum_image_ ? 0 : world_.size(), Image{});
   is_cached_ = world_.size() <= phase_->cached_spheres();
   are_alike_ = world_.are_alike();
-  has_walls_ = has_walls(world_);
-  has_images_of_obstacles_ = has_images_of_obstacles(world_);
+  has_walls_ = world_.box().is_any(Boundary::wall) || !world_.other_surfaces().empty();
+  has_obstacles_ = !world_.obstacles().is_empty();
   note_exclusions();
   for (Slot slot = 0; slot < world_.size(); ++slot) {
     progress.record(slot, world_.size());

@@ -134,7 +134,7 @@ class Forecast {
       if (is_stale(slot) && plan(slot).is_bound()) postpone(slot);
       const bool is_changed = is_stale(slot);
       counters_.stale += is_changed ? 1 : 0;
-      if (is_changed || has_images_of_obstacles_) return predict(slot);
+      if (is_changed) return predict(slot);
       if (!uses_minimum_image_) {
         predict_new_exactly(slot);
       } else if (!predict_new(slot)) {
@@ -342,8 +342,8 @@ class Forecast {
     const Slot slot = candidates.self();
     Plan& own = mutable_plan(slot);
     own.set_bound(least, second, partner, compact_.revision(partner));
-    if (has_walls_ && may_meet_wall(world_, slot, own.safe_until(), now_, obstacle_range())) {
-      const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
+    if (has_walls_ && may_meet_wall(world_, slot, own.safe_until(), now_)) {
+      const Event wall = next_wall_event(world_, slot, now_);
       if (wall.time.high < own.contact()) {
         own.set_wall(wall.time, wall.second);
       } else {
@@ -360,8 +360,8 @@ class Forecast {
                                    : predictor_.earliest(world_, candidates_, now_));
     // A wall may be earlier in the low part of its time, too.
     const double later = std::nextafter(plan(slot).contact(), kNever.high);
-    if (has_walls_ && may_meet_wall(world_, slot, later, now_, obstacle_range())) {
-      const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
+    if (has_walls_ && may_meet_wall(world_, slot, later, now_)) {
+      const Event wall = next_wall_event(world_, slot, now_);
       if (wall.happens() && wall.time < plan(slot).contact_time())
         mutable_plan(slot).set_wall(wall.time, wall.second);
     }
@@ -370,13 +370,26 @@ class Forecast {
     plan_crossing(slot);
   }
 
-  // How many box lengths a sphere covers at most between two crossings.
-  double obstacle_range() const { return uses_minimum_image_ ? 0.5 : 2; }
+  // Plans the contact with an obstacle, if one comes first before the sphere crosses: then this is done
+  // again.
+  void plan_obstacle(Slot slot) {
+    Plan& own = mutable_plan(slot);
+    const double first = own.is_bound() ? own.safe_until() : own.contact();
+    const Event met = next_obstacle_event(world_, slot, now_, std::min(first, own.crossing()));
+    if (!met.happens()) return;
+    if (own.is_bound() ? met.time.high < own.contact() : met < contact_of(slot)) {
+      own.set_wall(met.time, met.second);
+    } else if (own.is_bound()) {
+      own.lower_safe_until(met.time.high);
+    }
+  }
 
   void plan_crossing(Slot slot) {
     phase_.visit([&](auto& phase) {
       mutable_plan(slot).set_crossing(phase.next_crossing(world_, slot, now_, compact_));
     });
+    if (has_obstacles_) [[unlikely]]
+      plan_obstacle(slot);
     if (uses_minimum_image_) expire(slot);
   }
 
@@ -428,7 +441,7 @@ class Forecast {
   bool is_cached_ = true;  // prefetching all data ahead does not pay
   bool are_alike_ = true;  // all spheres, in radius and mass
   bool has_walls_ = false;
-  bool has_images_of_obstacles_ = false;
+  bool has_obstacles_ = false;  // at rest
   bool has_passing_pairs_ = false;
   bool has_steps_ = false;            // of potentials
   bool are_steps_bounded_ = false;    // no farther than candidates are apart

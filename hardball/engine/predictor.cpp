@@ -69,8 +69,8 @@ PredictedContact Predictor::earliest(const World& world, const CompactPaths& cop
   if (!BoundKeys::touches(least.first)) return {};
   std::array<Slot, BoundKeys::kMax + kWidestVector> chosen;
   const auto earliest_between = [&](std::uint32_t first, std::uint32_t end) {
-    const std::size_t count = kernels_->keep_between(candidates.slots(), keys.data(), candidates.size(), first,
-                                                     end, chosen.data());
+    const std::size_t count =
+        kernels_->keep_between(candidates.slots(), keys.data(), candidates.size(), first, end, chosen.data());
     if (count == 0) return EarliestContact{kNever.high, 0, self, false};
     std::fill_n(chosen.begin() + static_cast<std::ptrdiff_t>(count), kWidestVector, self);
     EarliestContact found = earliest_of(world, self, chosen.data(), count, nullptr, now);

@@ -104,9 +104,8 @@ class Predictor {
     if (!candidates.uses_minimum_image()) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) shifts[axis] = candidates.shifts(axis);
     }
-    const EarliestContact found =
-        earliest_of(world, candidates.self(), candidates.slots(), candidates.size(),
-                    candidates.uses_minimum_image() ? nullptr : shifts, now);
+    const EarliestContact found = earliest_of(world, candidates.self(), candidates.slots(), candidates.size(),
+                                              candidates.uses_minimum_image() ? nullptr : shifts, now);
     if (!(found.high < kNever.high)) return {};
     if (found.is_tied) [[unlikely]]
       return earliest_in_order(world, candidates, now);

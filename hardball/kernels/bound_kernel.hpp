@@ -75,14 +75,15 @@ struct BoundQuery {
 using BoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
                                   const BoundQuery& query);
 
-/// Bounds the waits as a BoundKernel does, and writes the keys of all candidates, to whole vectors; that of the
-/// sphere itself says that it is not touched.
+/// Bounds the waits as a BoundKernel does, and writes the keys of all candidates, to whole vectors; that of
+/// the sphere itself says that it is not touched.
 using EachBoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
-                                      const BoundQuery& query, std::array<std::uint32_t, BoundKeys::kMax>& keys);
+                                      const BoundQuery& query,
+                                      std::array<std::uint32_t, BoundKeys::kMax>& keys);
 
-/// Writes to `kept` those of the `count` slots at `slots` whose keys are at least `first` and less than `end`,
-/// and returns how many there are. Precondition: arrays are padded to whole vectors, the keys with no less than
-/// `end`, and `kept` has room for one more; `end` is at most BoundKeys::kForever.
+/// Writes to `kept` those of the `count` slots at `slots` whose keys are at least `first` and less than
+/// `end`, and returns how many there are. Precondition: arrays are padded to whole vectors, the keys with no
+/// less than `end`, and `kept` has room for one more; `end` is at most BoundKeys::kForever.
 using KeepBetweenKernel = std::size_t (*)(const std::uint32_t* slots, const std::uint32_t* keys,
                                           std::size_t count, std::uint32_t first, std::uint32_t end,
                                           std::uint32_t* kept);

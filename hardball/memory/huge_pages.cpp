@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
-// Arrays of this size and more begin on a huge page of their own; smaller ones would leave too much of it unused.
+// Arrays of this size and more begin on a huge page of their own; smaller ones would leave too much of it
+// unused.
 constexpr std::size_t kLeastOwnPages = 2 * kHugePage;
 // Arrays of this size and more share huge pages; smaller ones fill few pages.
 constexpr std::size_t kLeastShared = std::size_t{1} << 15;
@@ -42,7 +43,7 @@ bool is_shared(std::size_t bytes) {
 }
 
 void* allocate_pages(std::size_t bytes) {
-  void* const memory = ::operator new(bytes, std::align_val_t{kHugePage});
+  void* const memory = ::operator new (bytes, std::align_val_t{kHugePage});
 #if defined(__linux__)
   // A hint, which the system may ignore.
   static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));
@@ -51,7 +52,7 @@ void* allocate_pages(std::size_t bytes) {
 }
 
 void free_pages(void* memory) noexcept {
-  ::operator delete(memory, std::align_val_t{kHugePage});
+  ::operator delete (memory, std::align_val_t{kHugePage});
 }
 
 // Never destroyed: arrays of static lifetime may be freed later than anything here.
@@ -65,13 +66,13 @@ PageArena& arena() {
 void* allocate_on_huge_pages(std::size_t bytes, std::size_t alignment) {
   if (has_own_pages(bytes)) return allocate_pages(bytes);
   if (is_shared(bytes)) return arena().allocate(bytes);
-  return ::operator new(bytes, std::align_val_t{alignment});
+  return ::operator new (bytes, std::align_val_t{alignment});
 }
 
 void free_from_huge_pages(void* memory, std::size_t bytes, std::size_t alignment) noexcept {
   if (has_own_pages(bytes)) return free_pages(memory);
   if (is_shared(bytes)) return arena().free(memory, bytes);
-  ::operator delete(memory, std::align_val_t{alignment});
+  ::operator delete (memory, std::align_val_t{alignment});
 }
 
 }  // namespace hardball

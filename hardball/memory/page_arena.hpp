@@ -8,10 +8,11 @@
 
 namespace hardball {
 
-/// Divides large blocks of memory among arrays, so that they share huge pages. May be called by several threads.
+/// Divides large blocks of memory among arrays, so that they share huge pages. May be called by several
+/// threads.
 ///
-/// Each array gets the first gap that is large enough, by address; adjacent gaps are one. A block that is empty
-/// is given back, but for one.
+/// Each array gets the first gap that is large enough, by address; adjacent gaps are one. A block that is
+/// empty is given back, but for one.
 class PageArena {
  public:
   using Allocate = void* (*)(std::size_t bytes);
@@ -21,7 +22,8 @@ class PageArena {
   PageArena(std::size_t block_bytes, Allocate allocate_block, Free free_block)
       : block_bytes_(block_bytes), allocate_block_(allocate_block), free_block_(free_block) {}
 
-  /// Memory for an array, on a cache line. Precondition: it fits a block. Error: std::bad_alloc. Cost: O(gaps).
+  /// Memory for an array, on a cache line. Precondition: it fits a block. Error: std::bad_alloc. Cost:
+  /// O(gaps).
   void* allocate(std::size_t bytes);
   /// Takes back what allocate(bytes) returned. Cost: O(log gaps).
   void free(void* memory, std::size_t bytes) noexcept;

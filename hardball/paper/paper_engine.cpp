@@ -293,7 +293,8 @@ void PaperEngine::predict_crossings(Slot slot) {
 void PaperEngine::predict_all(Slot slot) {
   predict_collisions(slot, records_[slot].subspaces);
   predict_pairs(slot);
-  add_candidate(next_wall_event(world_, slot, now_, 0));
+  const Event wall = next_wall_event(world_, slot, now_);
+  add_candidate(std::min(wall, next_obstacle_event(world_, slot, now_, wall.time.high)));
   predict_crossings(slot);
 }
 

@@ -84,8 +84,12 @@ std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slo
   search_in_intervals(stride, end, [&](const Interval& during) {
     first = {};
     note_spheres(world, now, from, radius, self, state_of, wait_of, during, first);
-    const Event wall = next_wall_event(world, id, path, radius, after(now, during.begin), 0.5);
-    if (wall.time <= after(now, during.end)) first.record({wall.time, wall.kind, wall.second, {}});
+    const Time from_then = after(now, during.begin);
+    const Time latest = after(now, during.end);
+    for (const Event& wall : {next_wall_event(world, id, path, radius, from_then),
+                              next_obstacle_event(world, id, path, radius, from_then, latest.high)}) {
+      if (wall.time <= latest) first.record({wall.time, wall.kind, wall.second, {}});
+    }
     return first.time < kNever;
   });
   if (!(first.time < kNever) || first.time.high > until.high) return std::nullopt;

@@ -192,6 +192,23 @@ Setting::Setting(const Box& box, const Vec3& gravity, std::vector<Surface> surfa
     : box_(box), motion_(gravity), surfaces_(std::move(surfaces)) {
   check_setting(box_, motion_, surfaces_);
   refuse_shear_with_others();
+  divide_surfaces();
+}
+
+void Setting::divide_surfaces() {
+  std::vector<ObstacleTree::Obstacle> at_rest;
+  other_surfaces_.clear();
+  std::uint32_t number = kFaces;
+  for (const Surface& surface : surfaces_) {
+    const auto* const obstacle = std::get_if<Obstacle>(&surface.shape());
+    if (obstacle != nullptr && surface.velocity() == Vec3{}) {
+      at_rest.push_back({surface.point(), obstacle->radius(), number});
+    } else {
+      other_surfaces_.push_back(number);
+    }
+    ++number;
+  }
+  obstacles_ = ObstacleTree(std::move(at_rest));
 }
 
 void Setting::derive() {
@@ -274,6 +291,7 @@ bool Setting::restored() {
   derive();
   refuse_steps_with_others();
   check_setting(box_, motion_, surfaces_);
+  divide_surfaces();
   check_growth(motion_.growth());
   if (motion_.has_growth()) refuse_growth_with_others();
   refuse_shear_with_others();

@@ -13,6 +13,7 @@
 #include "hardball/geometry/growth.hpp"
 #include "hardball/geometry/motion.hpp"
 #include "hardball/interaction/interactions.hpp"
+#include "hardball/surfaces/obstacle_tree.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/box.hpp"
 
@@ -37,6 +38,10 @@ class HARDBALL_EXPORT Setting {
   std::span<const Surface> surfaces() const { return surfaces_; }
   /// The surface of a wall event. Precondition: `number` is not that of a face of the box.
   const Surface& surface(std::uint32_t number) const { return surfaces_[number - kFaces]; }
+  /// The obstacles at rest, by their numbers.
+  const ObstacleTree& obstacles() const { return obstacles_; }
+  /// The numbers of all other surfaces.
+  std::span<const std::uint32_t> other_surfaces() const { return other_surfaces_; }
   /// What happens when spheres touch each other or a wall; by default they are smooth and elastic.
   const Interactions& interactions() const { return interactions_; }
   /// Whether there are potentials of steps.
@@ -51,7 +56,10 @@ class HARDBALL_EXPORT Setting {
   // Error: the epoch is impossible, or the setting excludes growth.
   void set_growth(const Growth& growth);
   void end_growth();
-  std::size_t memory_bytes() const { return surfaces_.capacity() * sizeof(Surface); }
+  std::size_t memory_bytes() const {
+    return surfaces_.capacity() * sizeof(Surface) + other_surfaces_.capacity() * sizeof(std::uint32_t) +
+           obstacles_.memory_bytes();
+  }
 
  private:
   friend class Persistence;
@@ -63,10 +71,13 @@ class HARDBALL_EXPORT Setting {
   void refuse_shear_with_others() const;
   void refuse_steps_with_others() const;
   void derive();
+  void divide_surfaces();
 
   Box box_;
   Motion motion_;
   std::vector<Surface> surfaces_;
+  ObstacleTree obstacles_;
+  std::vector<std::uint32_t> other_surfaces_;
   Interactions interactions_;
   double bounding_scale_ = 1;
   bool has_steps_ = false;

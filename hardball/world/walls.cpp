@@ -22,38 +22,46 @@ bool has_images(const Setting& setting, const Surface& surface) {
   return is_periodic(setting.box()) && std::holds_alternative<Obstacle>(surface.shape());
 }
 
-Path displaced(const Path& path, const Vec3& shift) {
-  return {path.position - shift, path.velocity, path.time};
-}
-
-// Calls visit(path) with the path relative to each image of a surface that is within reach.
+// Calls visit(shift) with the displacement of each image of the obstacles at rest that may reach into a part
+// of space.
 template <class Visit>
-void for_each_image(const Setting& setting, const Surface& surface, const Path& path, double radius,
-                    const Time& now, double boxes, Visit&& visit) {
-  if (!has_images(setting, surface)) return visit(path);
-  const double touching =
-      std::get<Obstacle>(surface.shape()).radius() + radius * setting.motion().largest_scale();
-  const Vec3 position = setting.motion().position_at(path, now);
-  const Vec3 apart = position - surface.point();
-  static_cast<void>(setting.box().boxes_beyond(apart));  // which refuses what is too far to count
+void for_each_image_of_obstacles(const Setting& setting, const Bounds& part, Visit&& visit) {
+  const Bounds& bounds = setting.obstacles().bounds();
+  const Box& box = setting.box();
   Image low;
   Image high;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!setting.box().is_periodic(axis)) continue;
-    const double size = setting.box().size()[axis];
-    constexpr double kMargin = 1e-6;
-    const double reach = (boxes + kMargin) * size + touching;
-    low[axis] = static_cast<std::int32_t>(std::ceil((apart[axis] - reach) / size));
-    high[axis] = static_cast<std::int32_t>(std::floor((apart[axis] + reach) / size));
+    if (!box.is_periodic(axis)) continue;
+    const double size = box.size()[axis];
+    low[axis] = static_cast<std::int32_t>(std::ceil((part.low[axis] - bounds.high[axis]) / size));
+    high[axis] = static_cast<std::int32_t>(std::floor((part.high[axis] - bounds.low[axis]) / size));
   }
   Image image;
   for (image[0] = low[0]; image[0] <= high[0]; ++image[0]) {
     for (image[1] = low[1]; image[1] <= high[1]; ++image[1]) {
-      for (image[2] = low[2]; image[2] <= high[2]; ++image[2]) {
-        visit(displaced(path, setting.box().shift(image)));
-      }
+      for (image[2] = low[2]; image[2] <= high[2]; ++image[2]) visit(box.shift(image));
     }
   }
+}
+
+// Where a sphere may be from `now` until another time.
+Bounds reached(const Motion& motion, const Path& path, double radius, const Time& now, double until) {
+  constexpr double kRounding = 0x1p-40;
+  const State state = motion.state_at(path, now);
+  const double largest_radius = radius * motion.largest_scale();
+  const double elapsed = std::max(0.0, until - rounded_down(now)) * (1 + kRounding);
+  Bounds bounds{state.position, state.position};
+  for_each_axis([&](auto axis) {
+    const double velocity = state.velocity[axis];
+    const double gravity = motion.gravity()[axis];
+    const double straight = velocity != 0 ? velocity * elapsed : 0;
+    const double fall = gravity != 0 ? 0.5 * std::fabs(gravity) * elapsed * elapsed : 0;
+    const double margin =
+        largest_radius + fall + kRounding * (std::fabs(state.position[axis]) + largest_radius);
+    bounds.low[axis] += std::min(straight, 0.0) - margin;
+    bounds.high[axis] += std::max(straight, 0.0) + margin;
+  });
+  return bounds;
 }
 
 // How far from a face a sphere is.
@@ -102,12 +110,10 @@ bool is_uniform(const Setting& setting) {
 }
 
 bool has_images_of_obstacles(const Setting& setting) {
-  return std::ranges::any_of(setting.surfaces(),
-                             [&](const Surface& surface) { return has_images(setting, surface); });
+  return is_periodic(setting.box()) && !setting.obstacles().is_empty();
 }
 
-Event next_wall_event(const Setting& setting, SphereId id, const Path& path, double radius, const Time& now,
-                      double boxes) {
+Event next_wall_event(const Setting& setting, SphereId id, const Path& path, double radius, const Time& now) {
   Event next;
   const auto note = [&](const Time& time, std::uint32_t wall) {
     const Event event{time, EventKind::wall, id, wall, {}};
@@ -119,22 +125,41 @@ Event next_wall_event(const Setting& setting, SphereId id, const Path& path, dou
       note(time_of_face(setting, path, radius, axis, upper), face_of(axis, upper));
     }
   }
-  std::uint32_t number = kFaces;
-  for (const Surface& surface : setting.surfaces()) {
-    for_each_image(setting, surface, path, radius, now, boxes, [&](const Path& image) {
-      if (surface.free_until(setting.motion(), image, radius, now) > next.time.high) return;
-      note(surface.contact_time(setting.motion(), image, radius), number);
-    });
-    ++number;
+  for (const std::uint32_t number : setting.other_surfaces()) {
+    const Surface& surface = setting.surface(number);
+    if (surface.free_until(setting.motion(), path, radius, now) > next.time.high) continue;
+    note(surface.contact_time(setting.motion(), path, radius), number);
   }
   return next;
 }
 
-Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes) {
-  return next_wall_event(world, world.id(slot), world.path(slot), world.base_radius(slot), now, boxes);
+Event next_wall_event(const World& world, Slot slot, const Time& now) {
+  return next_wall_event(world, world.id(slot), world.path(slot), world.base_radius(slot), now);
 }
 
-bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now, double boxes) {
+Event next_obstacle_event(const Setting& setting, SphereId id, const Path& path, double radius,
+                          const Time& now, double until) {
+  Event next;
+  if (setting.obstacles().is_empty()) return next;
+  const Bounds part = reached(setting.motion(), path, radius, now, until);
+  for_each_image_of_obstacles(setting, part, [&](const Vec3& shift) {
+    const Path image{path.position - shift, path.velocity, path.time};
+    setting.obstacles().for_each_in({part.low - shift, part.high - shift}, [&](std::uint32_t number) {
+      const Surface& surface = setting.surface(number);
+      if (surface.free_until(setting.motion(), image, radius, now) > std::min(until, next.time.high)) return;
+      const Event event{
+          surface.contact_time(setting.motion(), image, radius), EventKind::wall, id, number, {}};
+      if (event < next) next = event;
+    });
+  });
+  return next;
+}
+
+Event next_obstacle_event(const World& world, Slot slot, const Time& now, double until) {
+  return next_obstacle_event(world, world.id(slot), world.path(slot), world.base_radius(slot), now, until);
+}
+
+bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now) {
   if (!(time < kNever.high)) return true;
   const Path& path = world.path(slot);
   const double radius = world.base_radius(slot);
@@ -150,22 +175,31 @@ bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const
     const double above = gap_to_face(world.box(), path.position, largest_radius, axis, true);
     if (std::min(below, above) <= way) return true;
   }
-  bool may = false;
-  for (const Surface& surface : world.surfaces()) {
-    for_each_image(world, surface, path, radius, now, boxes, [&](const Path& image) {
-      may = may || surface.free_until(world.motion(), image, radius, now) < time;
-    });
-    if (may) return true;
+  for (const std::uint32_t number : world.other_surfaces()) {
+    if (world.surface(number).free_until(world.motion(), path, radius, now) < time) return true;
   }
   return false;
 }
 
 double distance_to_surfaces(const Setting& setting, const Vec3& position, const Time& moment) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Surface& surface : setting.surfaces()) {
+  const auto note = [&](const Surface& surface) {
     const Vec3 image = nearest_image_of(setting, surface, position);
     least = std::min(least, surface.distance(position - image, moment));
-  }
+  };
+  for (const std::uint32_t number : setting.other_surfaces()) note(setting.surface(number));
+  if (setting.obstacles().is_empty()) return least;
+  constexpr double kRoundedUp = 1 + 0x1p-40;
+  const Vec3 half = 0.5 * setting.box().size();
+  double farthest = least;
+  for_each_image_of_obstacles(setting, {position - half, position + half}, [&](const Vec3& shift) {
+    setting.obstacles().for_each_within(
+        farthest, [&](const Bounds& bounds) { return distance_to(bounds, position - shift); },
+        [&](std::uint32_t number) {
+          note(setting.surface(number));
+          farthest = kRoundedUp * std::max(0.0, least);
+        });
+  });
   return least;
 }
 

@@ -16,30 +16,39 @@ HARDBALL_EXPORT bool has_walls(const Setting& setting);
 /// motions: no gravity, no surface, no face with properties of its own. Then a fluid is the same everywhere.
 HARDBALL_EXPORT bool is_uniform(const Setting& setting);
 
-/// Whether obstacles have images in a periodic box: then a sphere's contact with them must be predicted again
-/// at each of its crossings.
+/// Whether obstacles have images in a periodic box.
 HARDBALL_EXPORT bool has_images_of_obstacles(const Setting& setting);
 
-/// The next contact of a sphere with a face of the box or a surface, where none has come before `now`; if
-/// there is none, an event that never happens. In a periodic box, images of obstacles count that are up to
-/// `boxes` box lengths away along each axis from where the sphere is now.
-HARDBALL_EXPORT Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes);
+/// The next contact of a sphere with a face of the box, or with a surface but the obstacles at rest, where
+/// none has come before `now`; an event that never happens if there is none.
+HARDBALL_EXPORT Event next_wall_event(const World& world, Slot slot, const Time& now);
 
-/// The next contact of a sphere on any path, of this base radius [L], with a face of the box or a surface,
-/// where none has come before `now`, as an event of sphere `id`; an event that never happens if there is
-/// none.
+/// The next contact of a sphere on any path, of this base radius [L], with a face of the box, or with a
+/// surface but the obstacles at rest, where none has come before `now`, as an event of sphere `id`; an event
+/// that never happens if there is none.
 HARDBALL_EXPORT Event next_wall_event(const Setting& setting, SphereId id, const Path& path, double radius,
-                                      const Time& now, double boxes);
+                                      const Time& now);
+
+/// The next contact of a sphere with an obstacle at rest, or an image of one, where none has come before
+/// `now`; an event that never happens if there is none before `until` [T], and perhaps a later one.
+/// Precondition: in a periodic box, the sphere covers no more than a few boxes until then. Cost: O(log n) for
+/// each of n obstacles that it comes close to.
+HARDBALL_EXPORT Event next_obstacle_event(const World& world, Slot slot, const Time& now, double until);
+
+/// The next contact of a sphere on any path, of this base radius [L], with an obstacle at rest, as an event
+/// of sphere `id`, as for a sphere of the world.
+HARDBALL_EXPORT Event next_obstacle_event(const Setting& setting, SphereId id, const Path& path,
+                                          double radius, const Time& now, double until);
 
 /// What may_meet_wall does for surfaces, and for faces of the box if there is gravity or growth.
-HARDBALL_EXPORT bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now,
-                                               double boxes);
+HARDBALL_EXPORT bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now);
 
 /// Whether a sphere may meet a wall before `time`, from products instead of quotients: if not, the high part
 /// of the time of next_wall_event is no less than `time`. Precondition: its path does not start later.
-inline bool may_meet_wall(const World& world, Slot slot, double time, const Time& now, double boxes) {
-  if (!world.motion().is_straight() || world.motion().has_growth() || !world.surfaces().empty()) [[unlikely]]
-    return may_meet_wall_of_any_kind(world, slot, time, now, boxes);
+inline bool may_meet_wall(const World& world, Slot slot, double time, const Time& now) {
+  if (!world.motion().is_straight() || world.motion().has_growth() || !world.other_surfaces().empty())
+      [[unlikely]]
+    return may_meet_wall_of_any_kind(world, slot, time, now);
   const Path& path = world.path(slot);
   const double radius = world.base_radius(slot);
   // More than the difference, the quotient and the product are rounded by.

@@ -17,10 +17,12 @@
 #include "hardball/world/walls.hpp"
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
+#include "support/walls_one_by_one.hpp"
 
 namespace hardball::queries_test {
 namespace {
 
+using support::for_each_image;
 using support::RandomWorld;
 
 constexpr std::uint64_t kWorlds = 600;
@@ -41,19 +43,6 @@ Simulation some_time_later(const RandomWorld& made, Random& random) {
     // It has collapsed, which is as good a state as any.
   }
   return simulation;
-}
-
-// Calls visit(image) for all images up to so many boxes away along periodic axes.
-template <class Visit>
-void for_each_image(const Box& box, std::int32_t boxes, Visit&& visit) {
-  std::array<std::int32_t, kAxes> most{};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) most[axis] = box.is_periodic(axis) ? boxes : 0;
-  Image image;
-  for (image[0] = -most[0]; image[0] <= most[0]; ++image[0]) {
-    for (image[1] = -most[1]; image[1] <= most[1]; ++image[1]) {
-      for (image[2] = -most[2]; image[2] <= most[2]; ++image[2]) visit(image);
-    }
-  }
 }
 
 double shortest_period(const Box& box) {
@@ -94,7 +83,7 @@ double some_duration(const World& world, const Time& now, const Vec3& velocity, 
 // The first contact of a sphere by its stored path.
 std::optional<NextContact> slow_first_contact(const World& world, Slot slot, const Time& now, double until) {
   constexpr std::int32_t kBoxes = 7;
-  Event first = next_wall_event(world, slot, now, kBoxes);
+  Event first = support::wall_event_one_by_one(world, slot, now, kBoxes);
   for (Slot other = 0; other < world.size(); ++other) {
     if (other == slot) continue;
     for_each_image(world.box(), kBoxes, [&](const Image& image) {

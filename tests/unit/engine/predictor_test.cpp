@@ -185,7 +185,8 @@ class Comparison {
     to_come_.begin(self, true);
     for (std::size_t i = 0; i < near_.size(); ++i) {
       const Slot other = near_.slot(i);
-      if (!(contact_time(world, self, other, nearest_image(world, self, other, now)) < now)) to_come_.add(other);
+      if (!(contact_time(world, self, other, nearest_image(world, self, other, now)) < now))
+        to_come_.add(other);
     }
     to_come_.end();
     const Expected expected = plain_loop(world, to_come_, now);

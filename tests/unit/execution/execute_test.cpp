@@ -116,7 +116,7 @@ TEST(ContactAt, DescribesAWall) {
   World world(Box::walls({10, 10, 10}));
   world.add({{5, 5, 5}, {1, 2, 0}, 1, 4});
   Executed done;
-  const Event event = next_wall_event(world, 0, Time(0), 0.5);
+  const Event event = next_wall_event(world, 0, Time(0));
   contact_at(world, event, participants_of(world, event), done);
   const Contact& contact = done.contact;
   EXPECT_FALSE(contact.is_collision());
@@ -221,7 +221,7 @@ TEST(Execute, RefusesVelocitiesThatAreNotFiniteOrOutOfRange) {
   world.add({{2, 5, 5}, {1, 0, 0}, 1, 1});
   world.add({{6, 5, 5}, {-1, 0, 0}, 1, 1});
   const Event collision = make_collision(contact_time(world, 0, 1, {}), 0, 1, {});
-  const Event wall = next_wall_event(world, 0, Time(0), 0.5);
+  const Event wall = next_wall_event(world, 0, Time(0));
   const std::vector<Path> paths(world.paths().begin(), world.paths().end());
   CollapseGuard guard;
   const auto refused = [&](const Event& event, const Velocities& after) -> std::string {
