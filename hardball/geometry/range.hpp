@@ -17,21 +17,30 @@ inline constexpr double kLargestMagnitude = 1e60;
 /// The largest magnitude of a moment: the largest length over the smallest speed [T].
 inline constexpr double kLargestTime = kLargestMagnitude / kSmallestMagnitude;
 
+/// Whether a number is zero, or of a magnitude in the operating range.
+inline bool is_in_range(double number) {
+  const double magnitude = std::fabs(number);
+  return number == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude);
+}
+
 /// Error, with `where` as its place: `number` is NaN, infinite or beyond kLargestMagnitude.
 void check_finite(double number, std::string_view name, std::string_view where);
 
 /// Error, with `where` as its place: `number` is not positive or outside the operating range.
 void check_positive(double number, std::string_view name, std::string_view where);
 
+/// Whether a moment is finite, not beyond kLargestTime, and its parts make a Time.
+inline bool is_moment(const Time& moment) {
+  // A low part that is not finite fails the second comparison.
+  return std::fabs(moment.high) <= kLargestTime && moment.high + moment.low == moment.high;
+}
+
 /// Throws the Error of check_moment.
 [[noreturn]] void refuse_moment(const Time& moment, std::string_view where);
 
-/// Error, with `where` as its place: `moment` is NaN, infinite, beyond kLargestTime, or its parts do not make
-/// a Time.
+/// Error, with `where` as its place: not is_moment(moment).
 inline void check_moment(const Time& moment, std::string_view where) {
-  // A low part that is not finite fails the second comparison.
-  const bool is_moment = std::fabs(moment.high) <= kLargestTime && moment.high + moment.low == moment.high;
-  if (!is_moment) refuse_moment(moment, where);
+  if (!is_moment(moment)) refuse_moment(moment, where);
 }
 
 /// Error, with `where` as its place: `moment` is NaN or infinite. Weaker than check_moment: events of spheres

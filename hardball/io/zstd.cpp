@@ -22,6 +22,8 @@ struct ZstdCompressor::State {
   State() {
     HARDBALL_CHECK(context);
     ZSTD_CCtx_setParameter(context, ZSTD_c_checksumFlag, 1);
+    // Of numbers in text, higher levels make larger files, more slowly: docs/performance.md has the measurements.
+    ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, 1);
   }
   ~State() { ZSTD_freeCCtx(context); }
   State(const State&) = delete;

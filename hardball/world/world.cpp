@@ -118,6 +118,9 @@ void World::check_fits(double radius, std::size_t axis, const std::string& where
 }
 
 void World::check_velocity(SphereId id, const Vec3& velocity) const {
+  const bool is_in_plane = !box().is_flat() || velocity.z == 0;
+  if (is_in_range(velocity.x) && is_in_range(velocity.y) && is_in_range(velocity.z) && is_in_plane) [[likely]]
+    return;
   check_vector(velocity, kVelocityNames, name_of(id));
   check_in_plane(velocity, "velocity", name_of(id));
 }
@@ -163,7 +166,7 @@ void World::reorder(std::span<const Slot> order) {
 
 Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
   check_velocity(id(slot), velocity);
-  check_moment(moment, name_of(id(slot)));
+  if (!is_moment(moment)) refuse_moment(moment, name_of(id(slot)));
   return rewrite_path(slot, moment, velocity);
 }
 
