@@ -32,9 +32,9 @@ class SlidingImages {
   SlidingImages() = default;
   /// The images of a box of this width along x and height along y [L].
   SlidingImages(const Shear& shear, double width, double height)
-      : shear_(shear), width_(width), speed_(shear.rate * height) {}
+      : are_present_(shear.is_present()), shear_(shear), width_(width), speed_(shear.rate * height) {}
 
-  bool are_present() const { return shear_.is_present(); }
+  bool are_present() const { return are_present_; }
   const Shear& shear() const { return shear_; }
   /// The velocity along x of the image above [L/T].
   double speed() const { return speed_; }
@@ -74,6 +74,7 @@ class SlidingImages {
   friend bool operator==(const SlidingImages&, const SlidingImages&) = default;
 
  private:
+  bool are_present_ = false;
   Shear shear_;
   double width_ = 0;
   double speed_ = 0;

@@ -11,7 +11,7 @@ namespace hardball {
 std::vector<Vec3> place_shrunken(const World& empty, const Region& region, std::vector<double>& radii,
                                  Random& random, const std::string& where, const Progress& progress) {
   const IsAllowed is_allowed = [&empty](const Vec3& center, double radius) {
-    return distance_to_surfaces(empty, center, Time(0)) >= radius;
+    return is_clear_of_surfaces(empty, center, radius, Time(0));
   };
   constexpr int kAttempts = 12;
   constexpr double kSmaller = 0.8;

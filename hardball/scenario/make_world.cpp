@@ -144,7 +144,7 @@ std::vector<Vec3> place_at_random(const World& world, const Region& region, Grou
   IsAllowed is_allowed;
   if (!world.surfaces().empty()) {
     is_allowed = [&world](const Vec3& center, double radius) {
-      return distance_to_surfaces(world, center, Time(0)) >= radius;
+      return is_clear_of_surfaces(world, center, radius, Time(0));
     };
   }
   if (auto centers =

@@ -203,6 +203,26 @@ double distance_to_surfaces(const Setting& setting, const Vec3& position, const 
   return least;
 }
 
+bool is_clear_of_surfaces(const Setting& setting, const Vec3& position, double radius, const Time& moment) {
+  const auto is_clear = [&](const Surface& surface) {
+    const Vec3 image = nearest_image_of(setting, surface, position);
+    return surface.distance(position - image, moment) >= radius;
+  };
+  for (const std::uint32_t number : setting.other_surfaces()) {
+    if (!is_clear(setting.surface(number))) return false;
+  }
+  if (setting.obstacles().is_empty()) return true;
+  const double reach = radius * (1 + 0x1p-40) + 0x1p-40 * length(position);
+  const Vec3 extent{reach, reach, reach};
+  bool clear = true;
+  for_each_image_of_obstacles(setting, {position - extent, position + extent}, [&](const Vec3& shift) {
+    setting.obstacles().for_each_in(
+        {position - extent - shift, position + extent - shift},
+        [&](std::uint32_t number) { clear = clear && is_clear(setting.surface(number)); });
+  });
+  return clear;
+}
+
 double accessible_volume(const Setting& setting) {
   const Box& box = setting.box();
   double volume = box.volume();

@@ -145,6 +145,9 @@ TEST(DistanceToSurfaces, IsThatOfTheNearestImageOneByOne) {
       least = std::min(least, surface.distance(point - image, Time(2)));
     }
     EXPECT_EQ(distance_to_surfaces(world, point, Time(2)), least) << "seed " << seed;
+    if (!(least > 0)) continue;
+    EXPECT_TRUE(is_clear_of_surfaces(world, point, least, Time(2))) << "seed " << seed;
+    EXPECT_FALSE(is_clear_of_surfaces(world, point, std::nextafter(least, 100), Time(2))) << "seed " << seed;
   }
 }
 
