@@ -51,6 +51,7 @@ class DomainsEngine final : public EngineBase {
   std::size_t size() const override { return holds_all_ ? world_.size() : spheres_; }
   Time now() const override { return is_open_ ? now_ : group_->now(); }
   Counters counters() const override;
+  bool are_threads_hindered() const override { return team_->is_hindered(); }
   WindowCounters windows() const override { return windows_before_ + group_->window_counters(); }
   std::size_t memory_bytes() const override;
   /// The lengths of the first domain.

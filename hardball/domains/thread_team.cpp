@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/domains/thread_team.hpp"
 
+#include <chrono>
+#include <ctime>
 #include <system_error>
 
 #include "hardball/domains/processors.hpp"
@@ -31,6 +33,20 @@ void wait_while(const std::atomic<std::uint32_t>& number, std::uint32_t value) {
     pause();
   }
   number.wait(value, std::memory_order_acquire);
+}
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Processor time of the calling thread; where it is not known, as if it always ran.
+double processor_seconds() {
+#if defined(CLOCK_THREAD_CPUTIME_ID)
+  timespec time;
+  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0)
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+#endif
+  return seconds();
 }
 
 #if defined(__linux__)
@@ -102,14 +118,29 @@ void ThreadTeam::pin(std::size_t number) const {
   if (may_pin()) let_run_on(processors_of_thread(processors_, size(), number));
 }
 
-ThreadTeam::Pinned::Pinned(const ThreadTeam& team) {
+// A thread that waits sleeps soon, so it runs less of the time than this only if others are late, or it is.
+void ThreadTeam::note_pinned(double elapsed, double processor) {
+  constexpr double kPeriod = 0.05;
+  constexpr double kHindered = 0.8;
+  elapsed_ += elapsed;
+  processor_ += processor;
+  if (elapsed_ < kPeriod) return;
+  is_hindered_ = processor_ < kHindered * elapsed_;
+  elapsed_ = processor_ = 0;
+}
+
+ThreadTeam::Pinned::Pinned(ThreadTeam& team) : team_(team) {
   if (!team.may_pin()) return;
   before_ = available_processors();
   team.pin(0);
+  begin_ = seconds();
+  processor_begin_ = processor_seconds();
 }
 
 ThreadTeam::Pinned::~Pinned() {
-  if (!before_.empty()) let_run_on(before_);
+  if (before_.empty()) return;
+  team_.note_pinned(seconds() - begin_, processor_seconds() - processor_begin_);
+  let_run_on(before_);
 }
 
 }  // namespace hardball

@@ -38,22 +38,33 @@ class ThreadTeam {
   /// it may run where it could before.
   class Pinned {
    public:
-    explicit Pinned(const ThreadTeam& team);
+    explicit Pinned(ThreadTeam& team);
     Pinned(const Pinned&) = delete;
     Pinned& operator=(const Pinned&) = delete;
     ~Pinned();
 
    private:
-    std::vector<int> before_;  // empty if it was not pinned
+    ThreadTeam& team_;
+    double begin_ = 0;            // [s]
+    double processor_begin_ = 0;  // processor time of the calling thread [s]
+    std::vector<int> before_;     // empty if it was not pinned
   };
+
+  /// Whether the calling thread has lately spent much of its time, while it was Pinned, without running: it
+  /// waited for another thread, or other programs kept it from running.
+  bool is_hindered() const { return is_hindered_; }
 
  private:
   void end();
   void work(std::size_t number);
+  void note_pinned(double elapsed, double processor);
   bool may_pin() const { return size() > 1 && processors_.size() >= size(); }
   void pin(std::size_t number) const;
 
   std::size_t size_;
+  bool is_hindered_ = false;
+  double elapsed_ = 0;           // while the calling thread was pinned, lately [s]
+  double processor_ = 0;         // its processor time meanwhile [s]
   std::vector<int> processors_;  // on which the process may run
   std::vector<std::thread> workers_;
   const Function<void(std::size_t)>* task_ = nullptr;

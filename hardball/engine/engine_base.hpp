@@ -53,6 +53,8 @@ class EngineBase {
   virtual PhaseLengths lengths() const = 0;
   /// The parts of the box in which domains are; one, all of the box, without domains.
   virtual std::vector<Block> blocks() const { return {Block(setting().box())}; }
+  /// Whether its threads have lately waited for one that other programs kept from running.
+  virtual bool are_threads_hindered() const { return false; }
   /// The statistics of the spheres as they are at `moment`. Cost: O(n).
   virtual GasStatistics statistics(const Time& moment) const { return gas_statistics(world(), moment); }
   /// Sums over the spheres as they are at `moment`. Cost: O(n).

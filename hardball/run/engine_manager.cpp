@@ -3,6 +3,7 @@
 #include "hardball/run/engine_manager.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -20,6 +21,10 @@ constexpr std::uint64_t kEventsPerReview = 8;
 // The paper's engine and all pairs would gain nothing from the order of spheres.
 bool gains_from_order(EngineKind engine) {
   return engine == EngineKind::cells || engine == EngineKind::neighbors;
+}
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 // As many as pay are found out by each process, and so must be one where there are several.
@@ -99,8 +104,27 @@ void EngineManager::make_ready(const Time& now) {
   rebuild(now);
 }
 
+void EngineManager::begin_run() {
+  division_watch_.begin(seconds(), counters().contacts());
+}
+
+// Only for speed: the contacts do not depend on it.
+void EngineManager::review_division(const Time& now) {
+  if (options_.threads == 1 || options_.division || processes_->size() > 1) return;
+  const bool divided = division_watch_.divides();
+  division_watch_.note(seconds(), counters().contacts(), engine_->are_threads_hindered());
+  if (division_watch_.divides() != divided) replace_as_divided(now);
+}
+
+EngineOptions EngineManager::options_in_use() const {
+  EngineOptions options = options_;
+  if (!division_watch_.divides()) options.threads = 1;
+  return options;
+}
+
 void EngineManager::review_if_due(const Time& now) {
   if (engine_->needs_rebuild()) return;
+  review_division(now);
   const Counters done = counters();
   if (done.enter + done.contacts() < next_review_) return;
   next_review_ = done.enter + done.contacts() + kEventsPerReview * engine_->size();
@@ -147,8 +171,14 @@ void EngineManager::set_threads(std::size_t wanted, const Time& now) {
   if (threads == options_.threads && !options_.division) return;
   options_.threads = threads;
   options_.division.reset();
+  division_watch_ = {};
+  replace_as_divided(now);
+}
+
+// Replaces the engine by one that is divided as it should be, unless neither is.
+void EngineManager::replace_as_divided(const Time& now) {
   const bool is_divided = engine_->blocks().size() > 1;
-  if (!is_divided && choose_division(engine_->setting(), options_).domains == 1) return;
+  if (!is_divided && choose_division(engine_->setting(), options_in_use()).domains == 1) return;
   end_look_ahead(now);
   const Time moment = later(now, engine_->now());
   const GasStatistics statistics = engine_->statistics(moment);
@@ -164,7 +194,8 @@ void EngineManager::replace(EngineKind kind, double length, const Time& moment) 
   ++counters_before_.rebuilds;
   windows_before_ = windows();
   const PostContactState post_contact_state = engine_->post_contact_state();
-  engine_ = make_engine(std::move(engine_->mutable_world()), kind, options_, length, moment, *processes_);
+  engine_ =
+      make_engine(std::move(engine_->mutable_world()), kind, options_in_use(), length, moment, *processes_);
   engine_->take_over(post_contact_state);
   kind_ = kind;
 }

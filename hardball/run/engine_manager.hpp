@@ -10,6 +10,7 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/memory/value_pointer.hpp"
 #include "hardball/processes/processes.hpp"
+#include "hardball/run/division_watch.hpp"
 #include "hardball/run/make_engine.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_edge.hpp"
@@ -51,6 +52,8 @@ class EngineManager {
   /// Undoes all since the engine began its journal, when these were the counters.
   void undo_look_ahead(const Counters& before);
 
+  /// To be called when a run begins.
+  void begin_run();
   /// To be called before the engine runs on at `now`: rebuilds it if a sphere does not fit it, or if it was
   /// chosen for far more or fewer.
   void make_ready(const Time& now);
@@ -64,6 +67,9 @@ class EngineManager {
 
  private:
   void begin(double length, const Time& now);
+  void review_division(const Time& now);
+  void replace_as_divided(const Time& now);
+  EngineOptions options_in_use() const;
   void replace(EngineKind kind, double length, const Time& moment);
   void note_choice(double length, const Time& moment);
 
@@ -74,6 +80,7 @@ class EngineManager {
   Counters counters_before_;  // of engines replaced
   WindowCounters windows_before_;
   CellEdgeWatch watch_;
+  DivisionWatch division_watch_;
   std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
   std::uint64_t next_review_ = 0;      // at this number of crossings and contacts
   Time last_review_;

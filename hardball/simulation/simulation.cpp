@@ -147,6 +147,7 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
                                     },
                                 .looks_around = false};
   RunSchedule schedule(limits, now_);
+  manager_->begin_run();
   do {
     is_rescheduled_ = false;
     manager_->engine().end_journal();

@@ -62,7 +62,8 @@ TEST(LiveRun, TellsHowItsDomainsDivideTheBox) {
   const ScratchFolder folder;
   Simulation alone(kGas);
   alone.run_until(20);
-  const nlohmann::json status = final_status(folder, Simulation(kGas, {.threads = 2}));
+  const nlohmann::json status =
+      final_status(folder, Simulation(kGas, {.division = Division{.domains = 2, .threads = 2}}));
   EXPECT_EQ(status["event_log_hash"], hash_text(alone.event_log_hash()));
   ASSERT_GE(status["divisions"].size(), 1U);
   EXPECT_EQ(status["divisions"][0]["from"], 0);
