@@ -22,7 +22,7 @@ struct ZstdCompressor::State {
   State() {
     HARDBALL_CHECK(context);
     ZSTD_CCtx_setParameter(context, ZSTD_c_checksumFlag, 1);
-    // Of numbers in text, higher levels make larger files, more slowly: docs/performance.md has the measurements.
+    // Higher levels make larger files of numbers, more slowly: docs/decisions/0052-speed-where-it-is-lost.md.
     ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, 1);
   }
   ~State() { ZSTD_freeCCtx(context); }

@@ -69,8 +69,8 @@ inline bool may_meet_wall(const World& world, Slot slot, double time, const Time
 /// it, and infinite if there are none.
 HARDBALL_EXPORT double distance_to_surfaces(const Setting& setting, const Vec3& position, const Time& moment);
 
-/// Whether a sphere of this radius [L] overlaps no surface: distance_to_surfaces is no less. Cost: O(log n) for n
-/// obstacles.
+/// Whether a sphere of this radius [L] overlaps no surface: distance_to_surfaces is no less. Cost: O(log n)
+/// for n obstacles.
 HARDBALL_EXPORT bool is_clear_of_surfaces(const Setting& setting, const Vec3& position, double radius,
                                           const Time& moment);
 

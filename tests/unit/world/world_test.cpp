@@ -338,8 +338,7 @@ TEST(NextWallEvent, IsNeverOverlookedByMayMeetWall) {
     world.add({{1 + 8 * random.uniform(), 20 * random.uniform(), 1 + 28 * random.uniform()}, velocity, 1, 1},
               start);
     const double contact = next_wall_event(world, 0, Time(0)).time.high;
-    EXPECT_TRUE(may_meet_wall(world, 0, std::nextafter(contact, kNever.high), Time(0)))
-        << "seed " << seed;
+    EXPECT_TRUE(may_meet_wall(world, 0, std::nextafter(contact, kNever.high), Time(0))) << "seed " << seed;
     EXPECT_TRUE(may_meet_wall(world, 0, kNever.high, Time(0))) << "seed " << seed;
     const double half = start.high + (contact - start.high) / 2;
     excluded += half < contact && !may_meet_wall(world, 0, half, Time(0)) ? 1U : 0U;
@@ -354,10 +353,8 @@ TEST(NextWallEvent, IsTheFirstFaceAheadAndPrefersTheLowerOnATie) {
   world.add({{5, 5, 5}, {0, 0, 0}, 1, 1});
   world.add({{9, 5, 5}, {1, 0, 0}, 1, 1});
   world.add({{9, 5, 5}, {-1, 0, 0}, 1, 1});
-  EXPECT_EQ(next_wall_event(world, 0, Time(0)),
-            (Event{Time(2), EventKind::wall, 0, face_of(0, true), {}}));
-  EXPECT_EQ(next_wall_event(world, 1, Time(0)),
-            (Event{Time(4), EventKind::wall, 1, face_of(0, false), {}}));
+  EXPECT_EQ(next_wall_event(world, 0, Time(0)), (Event{Time(2), EventKind::wall, 0, face_of(0, true), {}}));
+  EXPECT_EQ(next_wall_event(world, 1, Time(0)), (Event{Time(4), EventKind::wall, 1, face_of(0, false), {}}));
   EXPECT_FALSE(next_wall_event(world, 2, Time(0)).happens());
   EXPECT_EQ(next_wall_event(world, 3, Time(0)).time, Time(0)) << "touching and approaching";
   EXPECT_EQ(next_wall_event(world, 4, Time(0)).time, Time(8)) << "touching and receding";
