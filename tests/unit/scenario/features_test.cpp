@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -214,25 +213,26 @@ TEST(ShearedScenario, LeavesListedVelocitiesAsTheyAre) {
 }
 
 // A scenario of this box, which starts from two spheres in a tilted one.
-Scenario from_tilted_file(const std::string& of_box) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "tilted.xyz";
-  std::ofstream(file) << "2\nLattice=\"10 0 0 -2.5 10 0 0 0 10\" pbc=\"T T T\" "
-                         "Properties=pos:R:3:velo:R:3:radius:R:1\n"
-                         "1 1 1 0 0 0 0.3\n3.5 9.9 1 0 0 0 0.3\n";
+Scenario from_tilted_file(const ScratchFolder& folder, const std::string& of_box) {
+  std::ofstream(folder / "tilted.xyz") << "2\nLattice=\"10 0 0 -2.5 10 0 0 0 10\" pbc=\"T T T\" "
+                                          "Properties=pos:R:3:velo:R:3:radius:R:1\n"
+                                          "1 1 1 0 0 0 0.3\n3.5 9.9 1 0 0 0 0.3\n";
   return parse_scenario("[box]\nsize = [10.0, 10.0, 10.0]\n" + of_box + "[start]\nfile = \"tilted.xyz\"\n",
-                        (std::filesystem::path(testing::TempDir()) / "start.toml").string());
+                        (folder / "start.toml").string());
 }
 
 TEST(ShearedScenario, StartsFromTheTiltOfAFile) {
-  const World world = make_world(from_tilted_file(kSheared));
+  const ScratchFolder folder;
+  const World world = make_world(from_tilted_file(folder, kSheared));
   EXPECT_EQ(world.box().shear(), (Shear{.rate = 0.5, .offset = -2.5}));
-  const World given = make_world(from_tilted_file(kSheared + "shear_offset = 1\n"));
+  const World given = make_world(from_tilted_file(folder, kSheared + "shear_offset = 1\n"));
   EXPECT_EQ(given.box().shear(), (Shear{.rate = 0.5, .offset = 1}));
 }
 
 TEST(ShearedScenario, RefusesTheTiltOfAFileForABoxThatIsNotSheared) {
-  const Error error =
-      error_of([&] { make_world(from_tilted_file("boundary = [\"periodic\", \"periodic\", \"wall\"]\n")); });
+  const ScratchFolder folder;
+  const Error error = error_of(
+      [&] { make_world(from_tilted_file(folder, "boundary = [\"periodic\", \"periodic\", \"wall\"]\n")); });
   EXPECT_NE(error.problem().find("tilted by -2.5"), std::string::npos) << error.what();
   EXPECT_NE(error.where().find("tilted.xyz"), std::string::npos);
   EXPECT_NE(error.remedy().find("shear_offset = -2.5"), std::string::npos);
