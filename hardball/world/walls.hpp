@@ -19,24 +19,24 @@ HARDBALL_EXPORT bool is_uniform(const Setting& setting);
 /// Whether obstacles have images in a periodic box.
 HARDBALL_EXPORT bool has_images_of_obstacles(const Setting& setting);
 
-/// The next contact of a sphere with a face of the box, or with a surface but the obstacles at rest, where
-/// none has come before `now`; an event that never happens if there is none.
+/// The next contact of a sphere with a face of the box, or with a surface other than an obstacle at rest,
+/// where none has come before `now`; an event that never happens if there is none.
 HARDBALL_EXPORT Event next_wall_event(const World& world, Slot slot, const Time& now);
 
 /// The next contact of a sphere on any path, of this base radius [L], with a face of the box, or with a
-/// surface but the obstacles at rest, where none has come before `now`, as an event of sphere `id`; an event
-/// that never happens if there is none.
+/// surface other than an obstacle at rest, where none has come before `now`, as an event of sphere `id`; an
+/// event that never happens if there is none.
 HARDBALL_EXPORT Event next_wall_event(const Setting& setting, SphereId id, const Path& path, double radius,
                                       const Time& now);
 
 /// The next contact of a sphere with an obstacle at rest, or an image of one, where none has come before
-/// `now`; an event that never happens if there is none before `until` [T], and perhaps a later one.
-/// Precondition: in a periodic box, the sphere covers no more than a few boxes until then. Cost: O(log n) for
-/// each of n obstacles that it comes close to.
+/// `now`. If there is none before `until` [T], it is a later one or an event that never happens.
+/// Precondition: in a periodic box, the sphere covers no more than a few boxes until then. Cost: O(log n),
+/// of n obstacles, for each that it comes close to.
 HARDBALL_EXPORT Event next_obstacle_event(const World& world, Slot slot, const Time& now, double until);
 
-/// The next contact of a sphere on any path, of this base radius [L], with an obstacle at rest, as an event
-/// of sphere `id`, as for a sphere of the world.
+/// The next contact of a sphere on any path, of this base radius [L], with an obstacle at rest, or an image
+/// of one, as an event of sphere `id`. `until` and the precondition are those for a sphere of a world.
 HARDBALL_EXPORT Event next_obstacle_event(const Setting& setting, SphereId id, const Path& path,
                                           double radius, const Time& now, double until);
 
