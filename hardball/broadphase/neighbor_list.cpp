@@ -11,7 +11,6 @@
 #include <type_traits>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/geometry/wait_in_ball.hpp"
 #include "hardball/world/images.hpp"
 
 namespace hardball {
@@ -115,7 +114,7 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   }
   reach_ = static_cast<float>((2 * skin_ + margin) / copies.length_unit());
   reach_of_slide_ = static_cast<float>(slide / 2 / copies.length_unit());
-  room_squared_ = static_cast<float>(room_ * room_ / (copies.length_unit() * copies.length_unit()));
+  room_in_units_ = static_cast<float>(room_ / copies.length_unit());
   const Extent expected = sliding_.are_present() ? Extent() : expected_.grown(largest_edge(cells_));
   table_ = CellTable(cells_, world.size(), cells_.spans_of(expected));
   points_.reset(table_.size());
@@ -177,7 +176,7 @@ bool NeighborList::keeps(const World& world, Slot slot, const Time& now, const C
   const Anchor& anchor = stored_region(slot);
   const CellIndex cell = cells_.cell_of(world.position(slot, now));
   bool is_near = copies.is_bounded(slot);
-  float room = room_squared_;
+  float room = room_in_units_ * room_in_units_;
   for_each_axis([&](auto axis) {
     // On the grid alone, a place far away may seem near.
     const std::int32_t rows = std::abs(cell[axis] - anchor.cell[axis]);
@@ -249,9 +248,8 @@ std::int32_t NeighborList::steps_in_cell(const Anchor& anchor, std::size_t axis)
                                    static_cast<std::uint32_t>(corner >> 32));
 }
 
-double NeighborList::next_crossing_of_any(const World& world, Slot slot, const Time& now,
-                                          const CompactPaths& copies) const {
-  if (!sliding_.are_present()) return leaves_ball(world, slot, now, copies);
+double NeighborList::next_crossing_in_sheared_box(const World& world, Slot slot, const Time& now,
+                                                  const CompactPaths& copies) const {
   const CompactPath& path = copies.paths()[slot];
   const Anchor& own = stored_region(slot);
   const SlidingAnchors::Row row = sliding_.row_of(own, path, now, copies);

@@ -20,6 +20,7 @@
 #include "hardball/broadphase/sphere_lines.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/geometry/inlining.hpp"
+#include "hardball/geometry/wait_in_ball.hpp"
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/memory/prefetch.hpp"
 
@@ -76,13 +77,13 @@ class NeighborList final : public BroadPhase {
   }
   HARDBALL_ALWAYS_INLINE double next_crossing(const World& world, Slot slot, const Time& now,
                                               const CompactPaths& copies) override {
-    if (!world.motion().is_straight() || sliding_.are_present()) [[unlikely]]
-      return next_crossing_of_any(world, slot, now, copies);
+    if (sliding_.are_present()) [[unlikely]]
+      return next_crossing_in_sheared_box(world, slot, now, copies);
     const CompactPath& path = copies.paths()[slot];
     const float wait = wait_in_ball(copies, path.position, path.velocity, stored_region(slot).position);
     // Of a sphere too fast to be bounded, nothing is known.
     if (!(wait >= 0)) [[unlikely]]
-      return next_crossing_of_any(world, slot, now, copies);
+      return leaves_ball(world, slot, now, copies);
     return rounded_down(now) + copies.time_unit() * static_cast<double>(wait);
   }
   bool are_candidates(Slot, Slot) const override { return true; }
@@ -107,27 +108,35 @@ class NeighborList final : public BroadPhase {
  private:
   Anchor& stored_region(Slot slot) { return lines_[slot].region<Anchor>(); }
   const Anchor& stored_region(Slot slot) const { return lines_[slot].region<Anchor>(); }
-  // For how long a straight path stays in the ball around an anchor, in units of the compact paths; NaN if it
-  // is not bounded.
+  // For how long a path certainly stays in the ball around an anchor, in units of the compact paths; NaN if
+  // it is not bounded.
   HARDBALL_ALWAYS_INLINE float wait_in_ball(const CompactPaths& copies,
                                             const std::array<std::int32_t, 3>& center,
                                             const std::array<float, 3>& velocity,
                                             const std::array<std::int32_t, 3>& anchor) const {
     float outwards = 0;
     float speed_squared = 1e-30F;  // of a sphere at rest the wait is finite, but longer than any copy is good
-    float room = room_squared_;
+    float distance_squared = 0;
+    const BoundScale& scale = copies.scale();
     for_each_axis([&](auto axis) {
       const auto steps = static_cast<std::uint32_t>(center[axis]) - static_cast<std::uint32_t>(anchor[axis]);
-      const float position = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
+      const float position = static_cast<float>(static_cast<std::int32_t>(steps)) * scale.grid[axis];
       outwards += position * velocity[axis];
       speed_squared += velocity[axis] * velocity[axis];
-      room -= position * position;
+      distance_squared += position * position;
     });
-    const float root = std::sqrt(outwards * outwards + speed_squared * std::max(room, 0.0F));
+    if (scale.has_gravity) [[unlikely]] {
+      if (std::isnan(outwards)) return outwards;
+      const float gravity =
+          std::fabs(scale.gravity[0]) + std::fabs(scale.gravity[1]) + std::fabs(scale.gravity[2]);
+      return falling_wait_in_ball(distance_squared, outwards, speed_squared, gravity, room_in_units_);
+    }
+    const float room = std::max(room_in_units_ * room_in_units_ - distance_squared, 0.0F);
+    const float root = std::sqrt(outwards * outwards + speed_squared * room);
     return (root - outwards) / speed_squared;
   }
-  double next_crossing_of_any(const World& world, Slot slot, const Time& now,
-                              const CompactPaths& copies) const;
+  double next_crossing_in_sheared_box(const World& world, Slot slot, const Time& now,
+                                      const CompactPaths& copies) const;
   // When a center leaves its ball.
   double leaves_ball(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
   void choose_packing(const CompactPaths& copies);
@@ -188,8 +197,8 @@ class NeighborList final : public BroadPhase {
   float reach_ = 0;           // of shells beyond the radii, in units of the compact paths
   float reach_of_slide_ = 0;  // how far rows may slide past each other in half of the time that lists last
   float packing_error_ = 0;   // of distances, in units
-  float room_squared_ = 0;    // the square of room_, in units
   double room_ = 0;           // the distance from its anchor at which a center crosses
+  float room_in_units_ = 0;
   // Of rows against those below, when the current list will be half as old:
   std::int32_t step_ = 0;     // on the grid of CompactPaths
   double step_in_cells_ = 0;  // of the edge of a cell

@@ -9,6 +9,7 @@
 
 #include "hardball/domains/domains_engine.hpp"
 #include "hardball/domains/sample.hpp"
+#include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/tuning/size_classes.hpp"
 #include "hardball/world/curve_order.hpp"
 
@@ -79,6 +80,7 @@ void EngineManager::begin(double length, const Time& now) {
 void EngineManager::note_choice(double length, const Time& moment) {
   watch_.restart(length);
   last_review_ = moment;
+  reviewed_counters_ = counters();
   spheres_at_choice_ = engine_->size();
 }
 
@@ -141,6 +143,7 @@ void EngineManager::review_if_due(const Time& now) {
       if (std::max(best / watch_.edge(), watch_.edge() / best) > kEnough) return rebuild(moment);
     }
   }
+  if (kind_ == EngineKind::neighbors) return review_skin(statistics, moment);
   const bool has_cells = kind_ == EngineKind::cells || kind_ == EngineKind::paper;
   if (!has_cells || is_by_class || options_.cell_edge) return;
   const std::optional<double> better = watch_.update(statistics, duration(last_review_, moment));
@@ -148,6 +151,20 @@ void EngineManager::review_if_due(const Time& now) {
   if (!better) return;
   engine_->rebuild(moment,
                    phase_settings(kind_, options_, allowed_cell_edge(engine_->setting(), kind_, *better)));
+}
+
+void EngineManager::review_skin(const GasStatistics& statistics, const Time& moment) {
+  const Counters done = counters();
+  const Counters since = done - reviewed_counters_;
+  const auto collided = static_cast<double>(2 * since.collision + since.wall);
+  if (collided < static_cast<double>(engine_->size())) return;
+  reviewed_counters_ = done;
+  const ListUse use{static_cast<double>(since.contact_predictions) / collided,
+                    static_cast<double>(since.enter) / collided};
+  const std::optional<double> better = better_skin(statistics, watch_.edge(), use, options_.unit_costs);
+  if (!better) return;
+  engine_->rebuild(moment, phase_settings(kind_, options_, *better));
+  note_choice(*better, moment);
 }
 
 void EngineManager::rebuild(const Time& moment) {

@@ -68,6 +68,7 @@ class EngineManager {
  private:
   void begin(double length, const Time& now);
   void review_division(const Time& now);
+  void review_skin(const GasStatistics& statistics, const Time& moment);
   void replace_as_divided(const Time& now);
   EngineOptions options_in_use() const;
   void replace(EngineKind kind, double length, const Time& moment);
@@ -84,7 +85,8 @@ class EngineManager {
   std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
   std::uint64_t next_review_ = 0;      // at this number of crossings and contacts
   Time last_review_;
-  GasStatistics reviewed_;  // for which the kind of engine was last reviewed
+  GasStatistics reviewed_;      // for which the kind of engine was last reviewed
+  Counters reviewed_counters_;  // when lists were last reviewed
 };
 
 }  // namespace hardball

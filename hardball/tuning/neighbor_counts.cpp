@@ -90,6 +90,35 @@ double optimal_skin(const GasStatistics& statistics, const UnitCosts& costs) {
   return best;
 }
 
+std::optional<double> better_skin(const GasStatistics& statistics, double skin, const ListUse& use,
+                                  const UnitCosts& costs) {
+  if (statistics.spheres == 0 || !(statistics.mean_speed > 0)) return std::nullopt;
+  constexpr double kWorth = 0.9;
+  constexpr double kShortest = 16;  // with padding
+  constexpr double kStep = 1.25;
+  constexpr int kSteps = 10;  // up to 9 times smaller or larger
+  const NeighborCounts expected = expected_neighbor_counts(statistics, skin);
+  const double crowding = use.neighbors / expected.neighbors;
+  const double rebuilds = use.rebuilds * (expected.collision + expected.wall) / expected.rebuild;
+  const auto cost_with = [&](double other) {
+    NeighborCounts counts = expected_neighbor_counts(statistics, other);
+    counts.neighbors = std::max(kShortest, crowding * counts.neighbors);
+    counts.searched *= crowding;
+    counts.rebuild *= rebuilds;
+    return cost_rate(counts, costs);
+  };
+  double best = skin;
+  double least = kWorth * cost_with(skin);
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    const double other = skin * std::pow(kStep, i);
+    const double cost = cost_with(other);
+    if (cost >= least) continue;
+    least = cost;
+    best = other;
+  }
+  return best == skin ? std::nullopt : std::optional(best);
+}
+
 BestLength best_skin(const GasStatistics& statistics, const UnitCosts& costs) {
   const double skin = optimal_skin(statistics, costs);
   return {skin, cost_rate(expected_neighbor_counts(statistics, skin), costs)};

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/unit_costs.hpp"
 
@@ -34,5 +36,17 @@ double optimal_skin(const GasStatistics& statistics, const UnitCosts& costs = {}
 
 /// The optimal ball radius with its cost.
 BestLength best_skin(const GasStatistics& statistics, const UnitCosts& costs);
+
+/// What lists have been found to do, per sphere that collides.
+struct ListUse {
+  double neighbors = 0;  ///< Neighbors looked at, with padding [1].
+  double rebuilds = 0;   ///< Lists rebuilt [1].
+};
+
+/// A ball radius [L] at which lists cost less by a tenth or more, if there is one, when those with `skin`
+/// have been used so: where spheres heap up or form clusters, theory, which knows their mean density, makes
+/// lists too long. Theory says how both change with the radius. Cost: O(1).
+std::optional<double> better_skin(const GasStatistics& statistics, double skin, const ListUse& use,
+                                  const UnitCosts& costs = {});
 
 }  // namespace hardball

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "hardball/interaction/bounce.hpp"
 #include "hardball/interaction/restitution.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/totals.hpp"
@@ -80,6 +81,40 @@ TEST(Retuning, ChangesTheEngineWhenADenseCloudFliesApart) {
   EXPECT_EQ(chosen.event_log_hash(), cells.event_log_hash());
   EXPECT_EQ(chosen.counters().contacts(), cells.counters().contacts()) << "those of both engines are counted";
   EXPECT_EQ(asked, chosen.counters().contacts() + cells.counters().contacts());
+}
+
+World shower() {
+  const World gas =
+      support::make_gas({.count = 500, .packing_fraction = 0.15, .seed = 406, .boundary = Boundary::wall});
+  World world(gas.box(), {0, 0, -1});
+  for (Slot slot = 0; slot < gas.size(); ++slot) {
+    world.add(
+        {gas.position(slot, Time(0)), gas.velocity(slot, Time(0)), gas.base_radius(slot), gas.mass(slot)});
+  }
+  return support::interacting(
+      world, ResponseTable(Bounce({.restitution = ConstantRestitution{0.7}, .elastic_below = 0.05})));
+}
+
+TEST(Retuning, ListsShortenWhereSpheresHeapUp) {
+  Simulation lists(shower(), {.engine = EngineKind::neighbors});
+  Simulation cells(shower(), {.engine = EngineKind::cells});
+  const double skin = lists.skin();
+  for (Simulation* simulation : {&lists, &cells}) simulation->run_until(12);
+  EXPECT_LT(lists.skin(), skin / 1.5);
+  EXPECT_LE(lists.counters().rebuilds, 5U);
+  EXPECT_EQ(lists.event_log_hash(), cells.event_log_hash());
+}
+
+TEST(Retuning, KeepsTheListsOfAFluid) {
+  for (const double packing_fraction : {0.25, 0.35, 0.45}) {
+    Simulation simulation(support::make_gas({.count = 512,
+                                             .packing_fraction = packing_fraction,
+                                             .seed = 407,
+                                             .start = support::Start::simple_cubic}));
+    simulation.run_contacts(20000);
+    EXPECT_EQ(simulation.engine(), EngineKind::neighbors);
+    EXPECT_EQ(simulation.counters().rebuilds, 0U) << packing_fraction;
+  }
 }
 
 TEST(Retuning, TakesCellsWhereABoxIsTooSmallForLists) {
