@@ -24,6 +24,7 @@
 #include "bench/hardware_counters.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/kernels/instruction_set.hpp"
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/simulation/simulation.hpp"
@@ -49,6 +50,12 @@ constexpr Named<EngineKind> named(EngineKind kind) {
 constexpr Named<EngineKind> kEngines[] = {named(EngineKind::automatic), named(EngineKind::cells),
                                           named(EngineKind::neighbors), named(EngineKind::all_pairs),
                                           named(EngineKind::paper)};
+
+constexpr Named<InstructionSet> named(InstructionSet instructions) {
+  return {kInstructionSetNames[static_cast<std::size_t>(instructions)], instructions};
+}
+constexpr Named<InstructionSet> kInstructions[] = {
+    named(InstructionSet::portable), named(InstructionSet::avx2), named(InstructionSet::avx512)};
 
 constexpr Named<Placement> kPlacements[] = {
     {"fcc", Placement::fcc}, {"hexagonal", Placement::hexagonal}, {"random", Placement::random}};
@@ -98,6 +105,7 @@ struct Options {
   double equilibration = 0;  // collisions per sphere
   std::uint64_t seed = 1;
   std::string engine = "auto";
+  std::optional<std::string> instructions;
   std::size_t threads = 1;
   std::optional<double> cell_edge;
   std::optional<std::string> placement;
@@ -252,6 +260,8 @@ void run(const Options& options) {
   }
   EngineOptions engine_options;
   engine_options.engine = choose(options.engine, kEngines, "--engine");
+  if (options.instructions)
+    engine_options.instructions = choose(*options.instructions, kInstructions, "--instructions");
   engine_options.threads = options.threads;
   engine_options.cell_edge = options.cell_edge;
   World start = make_start(options);
@@ -272,6 +282,8 @@ int parse_and_run(int argument_count, char** arguments) {
   app.add_option("--equilibration", options.equilibration, "Collisions per sphere before measuring");
   app.add_option("--seed", options.seed, "Seed of the random numbers");
   app.add_option("--engine", options.engine, "One of " + names_in(kEngines));
+  app.add_option("--instructions", options.instructions,
+                 "One of " + names_in(kInstructions) + "; the widest by default");
   app.add_option("--threads", options.threads, "How many threads run them; 0 for as many as pay");
   app.add_option("--cell-edge", options.cell_edge, "Edge of the cells, instead of the best");
   app.add_option("--placement", options.placement, "One of " + names_in(kPlacements));

@@ -36,8 +36,8 @@ std::string instruction_sets() {
     if (!is_compiled_in(static_cast<InstructionSet>(i))) continue;
     names += fmt::format("{}{}", names.empty() ? "" : ", ", kInstructionSetNames[i]);
   }
-  const auto widest = static_cast<std::size_t>(widest_instruction_set());
-  return fmt::format("{}; {} on this machine", names, kInstructionSetNames[widest]);
+  const auto used = static_cast<std::size_t>(fastest_instruction_set());
+  return fmt::format("{}; {} on this machine", names, kInstructionSetNames[used]);
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ enum class PhaseKind {
 struct PhaseSettings {
   PhaseKind kind = PhaseKind::cells;
   double length = 1;  ///< The wanted edge of cells, or the skin of lists; of no use to all pairs [L].
-  InstructionSet instructions = widest_instruction_set();  ///< For kernels.
+  InstructionSet instructions = fastest_instruction_set();  ///< For kernels.
   Extent expected;  ///< Where the centers of spheres are expected; elsewhere they are found slowly.
 
   PhaseSettings() = default;
   PhaseSettings(PhaseKind wanted_kind, double wanted_length,
-                InstructionSet available = widest_instruction_set())
+                InstructionSet available = fastest_instruction_set())
       : kind(wanted_kind), length(wanted_length), instructions(available) {}
   PhaseSettings(double wanted_length)  // NOLINT(google-explicit-constructor)
       : length(wanted_length) {}

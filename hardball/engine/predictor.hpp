@@ -91,7 +91,7 @@ Event contact_with(const World& world, const Candidates& candidates, std::size_t
 class Predictor {
  public:
   /// Error: the instruction set is not available.
-  explicit Predictor(InstructionSet instructions = widest_instruction_set());
+  explicit Predictor(InstructionSet instructions = fastest_instruction_set());
 
   /// The earliest contact of the sphere to which the candidates belong; one that does not happen if there is
   /// none. Precondition: `candidates` has been ended, and was collected at `now`.

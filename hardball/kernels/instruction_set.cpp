@@ -3,6 +3,17 @@
 #include "hardball/kernels/instruction_set.hpp"
 
 namespace hardball {
+namespace {
+
+bool is_made_by_intel() {
+#if defined(__x86_64__) && defined(__GNUC__)
+  return __builtin_cpu_is("intel");
+#else
+  return false;
+#endif
+}
+
+}  // namespace
 
 bool is_compiled_in([[maybe_unused]] InstructionSet instructions) {
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -31,8 +42,8 @@ bool is_available(InstructionSet instructions) {
   return false;
 }
 
-InstructionSet widest_instruction_set() {
-  if (is_available(InstructionSet::avx512)) return InstructionSet::avx512;
+InstructionSet fastest_instruction_set() {
+  if (is_available(InstructionSet::avx512) && !is_made_by_intel()) return InstructionSet::avx512;
   if (is_available(InstructionSet::avx2)) return InstructionSet::avx2;
   return InstructionSet::portable;
 }

@@ -29,7 +29,8 @@ HARDBALL_EXPORT bool is_compiled_in(InstructionSet instructions);
 /// Whether this program and this machine support these instructions.
 HARDBALL_EXPORT bool is_available(InstructionSet instructions);
 
-/// The widest instructions available.
-HARDBALL_EXPORT InstructionSet widest_instruction_set();
+/// The instructions available with which runs take the least time: on Intel's processors avx2, although
+/// avx512 is wider. Source: docs/performance.md.
+HARDBALL_EXPORT InstructionSet fastest_instruction_set();
 
 }  // namespace hardball

@@ -75,7 +75,7 @@ Division choose_division(const World& world, const EngineOptions& options) {
 }
 
 PhaseSettings phase_settings(EngineKind engine, const EngineOptions& options, double length) {
-  return {choice(engine).phase, length, options.instructions.value_or(widest_instruction_set())};
+  return {choice(engine).phase, length, options.instructions.value_or(fastest_instruction_set())};
 }
 
 std::unique_ptr<EngineBase> make_engine(World world, EngineKind engine, const EngineOptions& options,
