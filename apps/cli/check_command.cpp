@@ -83,13 +83,13 @@ std::string describe(const Surface& surface) {
   std::string text = "at " + describe(surface.point());
   std::visit(
       [&](const auto& shape) {
-        if constexpr (requires { shape.normal(); }) text += ", normal " + describe(shape.normal());
-        if constexpr (requires { shape.axis(); }) text += ", axis " + describe(shape.axis());
-        if constexpr (requires { shape.slope(); }) text += ", slope " + readable(shape.slope());
-        if constexpr (requires { shape.radius(); }) text += ", radius " + readable(shape.radius());
-        if constexpr (requires { shape.amplitude(); }) {
-          text += ", amplitude " + readable(shape.amplitude()) + ", frequency " + readable(shape.frequency());
-        }
+        for_each_value(shape, [&]<class Value>(const auto& field, const Value& value) {
+          text += ", " + std::string(field.name) + " ";
+          if constexpr (std::is_same_v<Value, Vec3>)
+            text += describe(value);
+          else
+            text += readable(value);
+        });
       },
       surface.shape());
   if (surface.velocity() != Vec3{}) text += ", moving with " + describe(surface.velocity());

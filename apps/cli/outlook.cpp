@@ -91,13 +91,13 @@ double content(const GasStatistics& statistics) {
 // tenth.
 Vec3 extent_of(const Scenario& scenario, const GasStatistics& statistics) {
   const std::vector<Surface> surfaces = make_surfaces(scenario, statistics.box);
+  const Extent room = room_between(surfaces);
   Vec3 extent;
   double free = content(statistics) / kOpenPackingFraction;
   int open = 0;
   for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
-    const Interval between = interval_between(surfaces, axis);
-    const double low = std::max(between.low, scenario.box[axis].size ? 0 : between.low);
-    extent[axis] = std::min(between.high, scenario.box[axis].size.value_or(between.high)) - low;
+    const double low = std::max(room.low[axis], scenario.box[axis].size ? 0 : room.low[axis]);
+    extent[axis] = std::min(room.high[axis], scenario.box[axis].size.value_or(room.high[axis])) - low;
     if (std::isfinite(extent[axis])) {
       free /= extent[axis];
     } else {
@@ -114,8 +114,7 @@ Vec3 extent_of(const Scenario& scenario, const GasStatistics& statistics) {
 Scenario sampled_scenario(const Scenario& scenario, std::vector<SphereGroup> groups, double edge) {
   Scenario sampled = scenario;
   sampled.spheres = std::move(groups);
-  sampled.walls.clear();
-  sampled.obstacles.clear();
+  sampled.surfaces.clear();
   sampled.bonds.clear();
   for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
     sampled.box[axis] = {Boundary::periodic, edge};

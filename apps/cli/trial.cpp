@@ -102,8 +102,9 @@ double expected_seconds(const Scenario& scenario, const Outlook& outlook, const 
     return trial.seconds + more * seconds_of_contact;
   }
   // Where nothing holds them, spheres meet ever more rarely.
-  const bool flies_apart =
-      outlook.statistics.box.is_any(Boundary::open) && scenario.walls.empty() && scenario.gravity == Vec3{};
+  const bool flies_apart = outlook.statistics.box.is_any(Boundary::open) &&
+                           std::ranges::all_of(scenario.surfaces, &SurfaceDescription::is_obstacle) &&
+                           scenario.gravity == Vec3{};
   return trial.seconds + (flies_apart ? std::min(left, trial.time) : left) * trial.late_seconds;
 }
 

@@ -32,7 +32,7 @@ bool may_collapse(const Scenario& scenario) {
 }
 
 bool has_walls(const Scenario& scenario) {
-  return !scenario.walls.empty() || !scenario.obstacles.empty() ||
+  return !scenario.surfaces.empty() ||
          std::ranges::any_of(scenario.box, [](const auto& axis) { return axis.boundary == Boundary::wall; });
 }
 
@@ -55,15 +55,14 @@ bool do_all_pass(const Scenario& scenario) {
 
 // The axes along which nothing holds spheres together.
 std::string open_axes(const Scenario& scenario, const Box& box) {
-  const std::vector<Surface> surfaces = make_surfaces(scenario, box);
+  const Extent room = room_between(make_surfaces(scenario, box));
   std::string axes;
   for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
-    const Interval between = interval_between(surfaces, axis);
+    const bool has_low = std::isfinite(room.low[axis]);
+    const bool has_high = std::isfinite(room.high[axis]);
     const double gravity = scenario.gravity[axis];
-    const bool is_held =
-        (std::isfinite(between.low) || gravity > 0) && (std::isfinite(between.high) || gravity < 0);
-    if (!box.is_open(axis) || (is_held && (std::isfinite(between.low) || std::isfinite(between.high))))
-      continue;
+    const bool is_held = (has_low || gravity > 0) && (has_high || gravity < 0);
+    if (!box.is_open(axis) || (is_held && (has_low || has_high))) continue;
     axes += (axes.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
   }
   return axes;
@@ -93,7 +92,7 @@ std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatisti
   } else if (statistics.mean_speed > 0 && !are_kept_moving(scenario) && scenario.gravity == Vec3{}) {
     const double spheres = static_cast<double>(statistics.spheres);
     const double contacts = spheres * until * (0.5 / mean_free_time(statistics) + wall_rate(statistics));
-    const bool is_known = scenario.walls.empty() && scenario.obstacles.empty() && !scenario.has_steps();
+    const bool is_known = scenario.surfaces.empty() && !scenario.has_steps();
     if (is_known && contacts < 1) {
       warnings.push_back(fmt::format("only {:.2g} contacts are expected until then", contacts));
     }
@@ -119,7 +118,7 @@ std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatisti
   if (has_floor(scenario)) {
     warnings.push_back(
         fmt::format("spheres that lose energy come to rest under gravity: the run {} {}", when, unless));
-  } else if (std::ranges::any_of(scenario.walls, is_round)) {
+  } else if (std::ranges::any_of(scenario.surfaces, is_round)) {
     warnings.push_back(fmt::format("spheres that lose energy end up sliding along round walls: the run {} {}",
                                    when, unless));
   }

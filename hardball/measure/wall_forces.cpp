@@ -16,36 +16,6 @@
 namespace hardball {
 namespace {
 
-// The axis along which a unit vector lies, or kAxes if there is none.
-std::size_t axis_along(const Vec3& direction) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (std::fabs(direction[axis]) == 1) return axis;
-  }
-  return kAxes;
-}
-
-double area_of(const Box& box, const Vec3& normal) {
-  const std::size_t axis = axis_along(normal);
-  return axis < kAxes ? box.face_area(axis) : kNoNumber;
-}
-double area_of(const Box& box, const Plane& plane) {
-  return area_of(box, plane.normal());
-}
-double area_of(const Box& box, const OscillatingPlane& plane) {
-  return area_of(box, plane.normal());
-}
-double area_of(const Box& box, const Cylinder& cylinder) {
-  if (box.is_flat()) return box.sphere_surface(cylinder.radius());
-  const std::size_t axis = axis_along(cylinder.axis());
-  return axis < kAxes ? 2 * std::numbers::pi * cylinder.radius() * box.size()[axis] : kNoNumber;
-}
-double area_of(const Box&, const Cone&) {
-  return kNoNumber;
-}
-double area_of(const Box& box, const auto& sphere) {
-  return box.sphere_surface(sphere.radius());
-}
-
 // The part of the momentum that a contact gives to its wall along the wall [M L/T]; zero if it is no more
 // than rounding, as of smooth spheres on a plane that is not along the axes.
 Vec3 tangential_impulse(const Contact& contact) {
@@ -59,8 +29,12 @@ Vec3 tangential_impulse(const Contact& contact) {
 
 double wall_area(const World& world, std::uint32_t wall) {
   if (wall < kFaces) return world.box().face_area(axis_of(wall));
-  return std::visit([&](const auto& shape) { return area_of(world.box(), shape); },
-                    world.surface(wall).shape());
+  return std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { shape.area(world.box()); }) return shape.area(world.box());
+        return kNoNumber;
+      },
+      world.surface(wall).shape());
 }
 
 std::string wall_name(const World& world, std::uint32_t wall) {

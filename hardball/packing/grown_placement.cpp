@@ -53,8 +53,7 @@ std::vector<Surface> walls_around(const World& empty, const Region& region,
                                   std::span<const PlacedSphere> placed) {
   std::vector<Surface> walls;
   for (const Surface& surface : empty.surfaces()) {
-    const auto* const moving = std::get_if<OscillatingPlane>(&surface.shape());
-    walls.emplace_back(moving ? Shape(Plane(moving->normal())) : surface.shape(), surface.point());
+    walls.emplace_back(surface.shape_at_rest(), surface.point());
   }
   for (const PlacedSphere& sphere : placed) walls.emplace_back(Obstacle(sphere.radius), sphere.center);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

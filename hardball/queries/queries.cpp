@@ -102,19 +102,6 @@ double time_to_enter(const Relative& other) {
   return is_inside ? kInfinity : time_to_touch(other);
 }
 
-// The surface at rest, where it is at this moment.
-Surface at_rest(const Surface& surface, const Time& now) {
-  const Vec3 point = surface.point() + (now.high * surface.velocity() + now.low * surface.velocity());
-  return std::visit(
-      [&](const auto& shape) {
-        if constexpr (requires { shape.displacement_at(now); })
-          return Surface(Plane(shape.normal()), point + shape.displacement_at(now));
-        else
-          return Surface(shape, point);
-      },
-      surface.shape());
-}
-
 Vec3 axis_vector(std::size_t axis, double length) {
   Vec3 vector;
   vector[axis] = length;
@@ -125,7 +112,7 @@ Vec3 axis_vector(std::size_t axis, double length) {
 template <class Visit>
 void for_each_surface(const World& world, const Time& now, Visit&& visit) {
   std::uint32_t number = kFaces;
-  for (const Surface& surface : world.surfaces()) visit(number++, at_rest(surface, now));
+  for (const Surface& surface : world.surfaces()) visit(number++, surface.at_rest(now));
 }
 
 template <class Visit>

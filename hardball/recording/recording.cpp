@@ -20,9 +20,6 @@ using Json = nlohmann::ordered_json;
 // In the order of Boundary.
 constexpr std::array<const char*, 4> kBoundaryNames{"wall", "periodic", "open", "flat"};
 
-// In the order of RecordedSurface::Shape.
-constexpr std::array<const char*, 5> kShapeNames{"plane", "cylinder", "sphere", "obstacle", "cone"};
-
 Json json_vector(const Vec3& vector) {
   return {vector.x, vector.y, vector.z};
 }
@@ -43,18 +40,36 @@ Json json_runs(const std::vector<SpeciesId>& species) {
   return runs;
 }
 
-Json json_surface(const RecordedSurface& surface) {
+// Every surface has a direction and a radius, used or not, and what else describes its shape. One without a
+// restitution of its own has that of the response.
+Json json_surface(const Surface& surface, double restitution) {
   Json json;
-  json["shape"] = kShapeNames[static_cast<std::size_t>(surface.shape)];
-  json["point"] = json_vector(surface.point);
-  json["direction"] = json_vector(surface.direction);
-  json["radius"] = surface.radius;
-  if (surface.shape == RecordedSurface::Shape::cone) json["slope"] = surface.slope;
-  json["velocity"] = json_vector(surface.velocity);
-  json["amplitude"] = surface.amplitude;
-  json["frequency"] = surface.frequency;
-  json["temperature"] = surface.temperature ? Json(*surface.temperature) : Json(nullptr);
-  json["restitution"] = number_or_null(surface.restitution);
+  Json direction = json_vector({0, 0, 1});
+  Json radius = 0.0;
+  Json others;
+  const Shape shape = surface.shape_at_rest();
+  std::visit(
+      [&](const auto& its) {
+        json["shape"] = its.kName;
+        for_each_value(its, [&]<class Value>(const auto& field, const Value& value) {
+          if constexpr (std::is_same_v<Value, Vec3>)
+            direction = json_vector(value);
+          else
+            (field.name == "radius" ? radius : others[std::string(field.name)]) = value;
+        });
+      },
+      shape);
+  const auto* const moving = std::get_if<OscillatingPlane>(&surface.shape());
+  const SurfaceMaterial& material = surface.material();
+  json["point"] = json_vector(surface.point());
+  json["direction"] = direction;
+  json["radius"] = radius;
+  if (!others.is_null()) json.update(others);
+  json["velocity"] = json_vector(surface.velocity());
+  json["amplitude"] = moving ? moving->amplitude() : 0.0;
+  json["frequency"] = moving ? moving->frequency() : 0.0;
+  json["temperature"] = material.temperature ? Json(*material.temperature) : Json(nullptr);
+  json["restitution"] = number_or_null(material.restitution.value_or(restitution));
   return json;
 }
 
@@ -171,24 +186,31 @@ class HeaderReader {
     }
   }
 
-  RecordedSurface surface(const Json& value) const {
-    using Shape = RecordedSurface::Shape;
-    RecordedSurface surface;
-    surface.shape = static_cast<Shape>(index_of(member(value, "shape"), kShapeNames, "shape"));
-    surface.point = vector(member(value, "point"));
-    const bool is_plane = surface.shape == Shape::plane;
-    const bool is_cone = surface.shape == Shape::cone;
-    if (is_plane || is_cone || surface.shape == Shape::cylinder)
-      surface.direction = vector(member(value, "direction"));
-    if (is_cone) surface.slope = number(member(value, "slope"));
-    if (!is_plane && !is_cone) surface.radius = number(member(value, "radius"));
-    read(value, "velocity", surface.velocity);
-    read(value, "amplitude", surface.amplitude);
-    read(value, "frequency", surface.frequency);
-    read(value, "temperature", surface.temperature);
-    read(value, "restitution", [&](const Json& entry) { surface.restitution = number_if_any(entry); });
-    check(surface);
-    return surface;
+  Surface surface(const Json& value) const {
+    const Json& name = member(value, "shape");
+    const Vec3 point = vector(member(value, "point"));
+    std::optional<Shape> shape =
+        shape_of(name.is_string() ? name.get<std::string>() : "", [&]<class Get>(const Field<Get>& field) {
+          if constexpr (std::is_same_v<typename Field<Get>::Value, Vec3>)
+            return vector(member(value, "direction"));
+          else
+            return number(member(value, std::string(field.name).c_str()));
+        });
+    if (!shape) fail("a shape is unknown");
+    Vec3 velocity;
+    double amplitude = 0;
+    double frequency = 0;
+    SurfaceMaterial material;
+    read(value, "velocity", velocity);
+    read(value, "amplitude", amplitude);
+    read(value, "frequency", frequency);
+    read(value, "temperature", material.temperature);
+    read(value, "restitution", material.restitution);
+    try {
+      return Surface(oscillating(*shape, amplitude, frequency), point, velocity, material);
+    } catch (const Error& error) {
+      fail(error.problem());
+    }
   }
 
   // Takes names and species; there are header.spheres of the latter, or none.
@@ -226,9 +248,9 @@ class HeaderReader {
     return bonds;
   }
 
-  std::vector<RecordedSurface> surfaces(const Json& value) const {
+  std::vector<Surface> surfaces(const Json& value) const {
     if (!value.is_array()) fail("the surfaces are not a list");
-    std::vector<RecordedSurface> surfaces;
+    std::vector<Surface> surfaces;
     for (const Json& entry : value) {
       surfaces.push_back(HeaderReader(*where_, "surface " + to_text(surfaces.size()) + ": ").surface(entry));
     }
@@ -247,22 +269,6 @@ class HeaderReader {
       if (value == names[k]) return k;
     }
     fail("a " + what + " is unknown");
-  }
-
-  void check(const RecordedSurface& surface) const {
-    constexpr double kTolerance = 1e-6;  // of the square of a unit vector
-    const double square = dot(surface.direction, surface.direction);
-    if (!(std::fabs(square - 1) <= kTolerance)) fail("the direction is not a unit vector");
-    const bool is_plane = surface.shape == RecordedSurface::Shape::plane;
-    const bool is_cone = surface.shape == RecordedSurface::Shape::cone;
-    if (is_cone && !(surface.slope > 0)) fail("the slope is " + to_text(surface.slope));
-    if (!is_plane && !is_cone && !(surface.radius > 0)) fail("the radius is " + to_text(surface.radius));
-    if (!is_plane && surface.amplitude != 0) fail("only planes oscillate");
-    if (!(surface.frequency >= 0)) fail("the frequency is " + to_text(surface.frequency));
-    if (surface.temperature && !(*surface.temperature >= 0)) {
-      fail("the temperature is " + to_text(*surface.temperature));
-    }
-    if (surface.restitution < 0) fail("the restitution is " + to_text(surface.restitution));
   }
 
   const std::string* where_;
@@ -297,7 +303,8 @@ std::string to_json(const RecordingHeader& header) {
   json["restitution"] = number_or_null(header.restitution);
   json["gravity"] = json_vector(header.gravity);
   json["surfaces"] = Json::array();
-  for (const RecordedSurface& surface : header.surfaces) json["surfaces"].push_back(json_surface(surface));
+  for (const Surface& surface : header.surfaces)
+    json["surfaces"].push_back(json_surface(surface, header.restitution));
   if (!header.species.empty() || !header.species_names.empty()) {
     json["species"]["names"] = header.species_names;
     if (!header.species.empty()) json["species"]["runs"] = json_runs(header.species);

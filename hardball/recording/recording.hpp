@@ -15,6 +15,7 @@
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/interaction/contact.hpp"
+#include "hardball/surfaces/surface.hpp"
 #include "hardball/world/box.hpp"
 #include "hardball/world/world.hpp"
 
@@ -62,30 +63,6 @@ struct Layout {
 };
 }  // namespace recording_format
 
-/// A surface that spheres bounce off, besides the faces of the box.
-struct RecordedSurface {
-  enum class Shape {
-    plane,     ///< Spheres are on the side to which the normal points.
-    cylinder,  ///< Unbounded along its axis; spheres are inside.
-    sphere,    ///< Spheres are inside.
-    obstacle,  ///< A sphere; the spheres are outside.
-    cone,      ///< Unbounded; spheres are inside.
-  };
-
-  Shape shape = Shape::plane;
-  Vec3 point = {};             ///< A point of the plane or the axis at time 0, the center, or the apex [L].
-  Vec3 direction = {0, 0, 1};  ///< Unit normal of a plane, unit vector along an axis [1].
-  double radius = 0;           ///< [L]; 0 for a plane or a cone.
-  double slope = 0;            ///< Radius of a cone over the distance from its apex [1].
-  Vec3 velocity = {};          ///< Velocity of the point [L/T].
-  double amplitude = 0;        ///< Amplitude of a plane's oscillation along its normal [L].
-  double frequency = 0;        ///< Frequency of that oscillation, in cycles per time [1/T].
-  std::optional<double> temperature = {};  ///< kT [M L^2 T^-2] of a thermal surface.
-  double restitution = 1;                  ///< [1]; NaN if it is not one number.
-
-  friend bool operator==(const RecordedSurface&, const RecordedSurface&) = default;
-};
-
 /// A force between two bodies at rest.
 struct RecordedForce {
   std::uint32_t first = 0;  ///< A sphere.
@@ -103,14 +80,14 @@ struct RecordingHeader {
   bool has_growth = false;  ///< Whether spheres may grow.
   std::size_t spheres = 0;  ///< Ids are below this; without bodies, all spheres exist at the start.
   Box box = {};
-  double begin = 0;                  ///< [T]
-  std::optional<double> until = {};  ///< When the run is to end [T], if known.
-  Vec3 cell_edge = {};               ///< Edges of a cell [L]; zero if there are no cells.
-  Vec3 cell_origin = {};             ///< A corner of a cell [L].
-  std::string name = {};             ///< Name of the scenario.
-  double restitution = 1;            ///< [1]; NaN if it is not one number.
-  Vec3 gravity = {};                 ///< Acceleration of all spheres [L/T^2].
-  std::vector<RecordedSurface> surfaces = {};
+  double begin = 0;                    ///< [T]
+  std::optional<double> until = {};    ///< When the run is to end [T], if known.
+  Vec3 cell_edge = {};                 ///< Edges of a cell [L]; zero if there are no cells.
+  Vec3 cell_origin = {};               ///< A corner of a cell [L].
+  std::string name = {};               ///< Name of the scenario.
+  double restitution = 1;              ///< [1]; NaN if it is not one number.
+  Vec3 gravity = {};                   ///< Acceleration of all spheres [L/T^2].
+  std::vector<Surface> surfaces = {};  ///< Without a restitution of its own, it is that of the response.
   std::vector<std::string> species_names = {};      ///< By species; those without a name are missing.
   std::vector<SpeciesId> species = {};              ///< By id; empty if all are zero.
   std::vector<std::array<SphereId, 2>> bonds = {};  ///< Pairs of spheres that are tied to each other.

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/surfaces/surface.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -75,8 +77,8 @@ Values tables(TableDescription keys) {
 
 // A key that may be left out. Its meaning is a sentence without its full stop; the example, and the default
 // if it can be written, are values as in TOML.
-KeyDescription key(std::string_view name, Values values, std::string_view meaning,
-                   std::string_view example = {}, std::string_view default_value = {}) {
+KeyDescription key(std::string_view name, Values values, std::string meaning, std::string_view example = {},
+                   std::string_view default_value = {}) {
   return {.name = name,
           .type = values.type,
           .range = values.range,
@@ -85,14 +87,14 @@ KeyDescription key(std::string_view name, Values values, std::string_view meanin
           .choices = std::move(values.choices),
           .dimension = values.dimension,
           .default_value = default_value,
-          .meaning = meaning,
+          .meaning = std::move(meaning),
           .example = example,
           .table = std::move(values.table)};
 }
 
-KeyDescription required(std::string_view name, Values values, std::string_view meaning,
+KeyDescription required(std::string_view name, Values values, std::string meaning,
                         std::string_view example = {}) {
-  KeyDescription required = key(name, std::move(values), meaning, example);
+  KeyDescription required = key(name, std::move(values), std::move(meaning), example);
   required.is_required = true;
   return required;
 }
@@ -125,7 +127,7 @@ TableDescription faces_keys() {
       "the face at z = 0", "the face at the size along z"};
   TableDescription faces{.title = "[box.faces]", .keys = {}};
   for (Face number = 0; number < kFaces; ++number) {
-    faces.keys.push_back(key(kFaceNames[number], table(face), kMeanings[number]));
+    faces.keys.push_back(key(kFaceNames[number], table(face), std::string(kMeanings[number])));
   }
   return faces;
 }
@@ -361,35 +363,65 @@ TableDescription species_keys() {
                    "0.4")}};
 }
 
+// Names with commas, and `last` before the last.
+std::string enumerated(const std::vector<std::string>& names, const std::string& last) {
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 < names.size() ? ", " : last) + names[i];
+  return text;
+}
+
+// Calls visit(std::type_identity<S>()) for each shape S of walls.
+void for_each_shape_of_walls(const auto& visit) {
+  for_each_shape([&]<class S>(std::type_identity<S> shape) {
+    if constexpr (requires { S::kPoint; }) visit(shape);
+  });
+}
+
+// The key of a field that a wall must have if it is of this shape.
+template <class Get>
+KeyDescription key_of(const Field<Get>& field, std::string_view shape) {
+  constexpr bool kIsVector = std::is_same_v<typename Field<Get>::Value, Vec3>;
+  return only_for({shape}, required(field.name, kIsVector ? vector() : number(field.range, field.dimension),
+                                    std::string(field.meaning), field.example));
+}
+
 TableDescription walls_keys() {
+  Names shapes;
+  std::vector<std::string> points;
+  std::vector<std::string> around;
+  std::vector<KeyDescription> of_shapes;
+  for_each_shape_of_walls([&]<class S>(std::type_identity<S>) {
+    shapes.push_back(S::kName);
+    points.emplace_back(S::kPoint);
+    if (!std::is_same_v<S, Plane>) around.push_back("a " + std::string(S::kName));
+    for_each_field<S>([&](const auto& field) {
+      const auto known = std::ranges::find(of_shapes, field.name, &KeyDescription::name);
+      if (known == of_shapes.end()) return of_shapes.push_back(key_of(field, S::kName));
+      known->only_for.push_back(S::kName);
+    });
+  });
   std::vector<KeyDescription> keys{
-      required("shape", choice({"plane", "cylinder", "sphere", "cone"}),
-               "its shape; the spheres are inside a cylinder, a sphere or a cone", "\"plane\""),
-      required("point", vector("L"),
-               "a point of the plane, a point on the axis of the cylinder, the center of the sphere, or the "
-               "apex of the cone",
-               "[5.0, 5.0, 5.0]"),
-      only_for({"plane"},
-               required("normal", vector(),
-                        "a vector of any length that points from the plane to the side where the spheres are",
-                        "[0.0, 0.0, 1.0]")),
-      only_for({"cylinder", "cone"},
-               required("axis", vector(),
-                        "a vector of any length along the axis; of a cone, from the apex into it",
-                        "[0.0, 0.0, 1.0]")),
-      only_for({"cylinder", "sphere"}, required("radius", number(positive, "L"), "its radius", "4.0")),
-      only_for({"cone"},
-               required("slope", number(positive), "its radius over the distance from its apex", "0.5")),
-      key("velocity", vector("L/T"), "its constant velocity", "[0.0, 0.0, 0.1]", "[0.0, 0.0, 0.0]"),
-      only_for({"plane"}, key("amplitude", number(positive, "L"),
-                              "together with `frequency`, instead of `velocity`: at time t the plane is "
-                              "displaced along its normal by amplitude · sin(2π · frequency · t)",
-                              "0.1")),
-      only_for({"plane"},
-               key("frequency", number(positive, "1/T"), "the frequency of this oscillation", "2.0")),
-  };
+      required("shape", choice(shapes), "its shape; the spheres are inside " + enumerated(around, " or "),
+               "\"plane\""),
+      required("point", vector("L"), enumerated(points, ", or "), "[5.0, 5.0, 5.0]")};
+  keys.insert(keys.end(), of_shapes.begin(), of_shapes.end());
+  keys.push_back(
+      key("velocity", vector("L/T"), "its constant velocity", "[0.0, 0.0, 0.1]", "[0.0, 0.0, 0.0]"));
+  for_each_field<OscillatingPlane>([&](const auto& field) {
+    KeyDescription key = key_of(field, Plane::kName);
+    key.is_required = false;
+    const bool is_of_rest = std::ranges::find(keys, key.name, &KeyDescription::name) != keys.end();
+    if (!is_of_rest) keys.push_back(std::move(key));
+  });
   for (const KeyDescription& key : surface_keys()) keys.push_back(key);
   return {.title = "[[walls]]", .keys = keys};
+}
+
+std::string walls_meaning() {
+  std::vector<std::string> shapes;
+  for_each_shape_of_walls(
+      [&]<class S>(std::type_identity<S>) { shapes.push_back(std::string(S::kName) + "s"); });
+  return "walls besides those of the box: " + enumerated(shapes, " and ");
 }
 
 TableDescription obstacles_keys() {
@@ -410,7 +442,7 @@ KeyDescription steps_key(std::string_view meaning) {
                required("energy", number(finite, "M L²/T²"),
                         "the energy of two spheres between this step and the next one inward, or the core",
                         "-1.0")}};
-  return key("steps", tables(step), meaning);
+  return key("steps", tables(step), std::string(meaning));
 }
 
 KeyDescription core_key() {
@@ -557,8 +589,7 @@ TableDescription all_keys() {
           .keys = {required("box", table(box_keys()), "the space in which the spheres move"),
                    key("spheres", tables(spheres_keys()), "groups of spheres, in the order of ids"),
                    key("start", table(start_keys()), "instead of `[[spheres]]`: a state to start from"),
-                   key("walls", tables(walls_keys()),
-                       "walls besides those of the box: planes, cylinders, spheres and cones"),
+                   key("walls", tables(walls_keys()), walls_meaning()),
                    key("obstacles", tables(obstacles_keys()), "spheres that never move"),
                    key("species", tables(species_keys()), "kinds of spheres, if contacts depend on them"),
                    key("response", table(response_keys()), "what contacts do"),

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/describe/field.hpp"
+
 namespace hardball {
 
 /// What a value is.
@@ -27,15 +29,6 @@ enum class ValueType {
   tables,  ///< One or more tables of the same name, [[name]].
 };
 
-/// The range of the numbers of a value, within the operating range (geometry/range.hpp).
-enum class NumberRange {
-  finite,
-  positive,
-  not_negative,
-  fraction,         ///< From 0 to 1.
-  signed_fraction,  ///< From -1 to 1.
-};
-
 struct TableDescription;
 
 /// A key of a scenario: the one source of what the reader accepts, of docs/scenarios.md and of the JSON
@@ -50,7 +43,7 @@ struct KeyDescription {
   std::string_view dimension = {};             ///< Such as "L/T"; nothing for pure numbers.
   bool is_required = false;
   std::string_view default_value = {};  ///< As in TOML; nothing if none can be written.
-  std::string_view meaning = {};        ///< A sentence without its full stop.
+  std::string meaning = {};             ///< A sentence without its full stop.
   std::string_view example = {};        ///< A value as in TOML.
   /// The choices of the table's first key that the key goes with, all if there are none. Keys of one name
   /// that go with different choices may differ.

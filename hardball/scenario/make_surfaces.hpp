@@ -15,11 +15,7 @@ namespace hardball {
 /// cannot be in this box, see World.
 std::vector<Surface> make_surfaces(const Scenario& scenario, const Box& box);
 
-/// The interval along an axis to which surfaces at time zero confine spheres [L]; infinite where they do not.
-struct Interval {
-  double low;
-  double high;
-};
-Interval interval_between(std::span<const Surface> surfaces, std::size_t axis);
+/// The room along each axis to which surfaces at time zero confine spheres [L]; infinite where they do not.
+Extent room_between(std::span<const Surface> surfaces);
 
 }  // namespace hardball

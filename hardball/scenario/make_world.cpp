@@ -63,20 +63,22 @@ Region make_region(const Scenario& scenario, Groups groups, std::span<const Surf
   const double volume = sphere_volume(groups) / kOpenPackingFraction;
   const double diameter = 2 * largest_radius(group_of_largest(groups));
   const double stretch = has_all_sizes ? 0 : std::max(length_for_volume(scenario, volume), 2 * diameter);
+  const Extent room = room_between(surfaces);
   Region region;
   for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
     const std::optional<double>& size = scenario.box[axis].size;
-    const Interval free = interval_between(surfaces, axis);
+    const double lowest = room.low[axis];
+    const double highest = room.high[axis];
     double& low = region.low[axis];
     double& high = region.high[axis];
     if (size) {
-      low = std::max(0.0, free.low);
-      high = std::min(*size, free.high);
-    } else if (std::isfinite(free.low)) {
-      low = free.low;
-      high = std::isfinite(free.high) ? free.high : free.low + stretch;
+      low = std::max(0.0, lowest);
+      high = std::min(*size, highest);
+    } else if (std::isfinite(lowest)) {
+      low = lowest;
+      high = std::isfinite(highest) ? highest : lowest + stretch;
     } else {
-      high = std::isfinite(free.high) ? free.high : stretch / 2;
+      high = std::isfinite(highest) ? highest : stretch / 2;
       low = high - stretch;
     }
   }
@@ -488,9 +490,10 @@ Box make_box(const Scenario& scenario) {
   Box box(boundary, size);
   at_shear(scenario, [&] { box.set_shear(scenario.shear); });
   for (const FaceDescription& face : scenario.faces) {
-    const SurfaceMaterial material{face.restitution, face.temperature, scenario.seed};
+    FaceProperties properties = face.properties;
+    properties.material.seed = scenario.seed;
     try {
-      box.set_face(face.face, {material, face.velocity});
+      box.set_face(face.face, properties);
     } catch (const Error& error) {
       throw Error(error.problem(), face.where, error.remedy());
     }

@@ -18,12 +18,9 @@ namespace hardball {
 /// another or is out of range.
 std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensions);
 
-/// What the tables [[walls]] of a scenario describe. Error, with the location of the value: a key is missing,
-/// contradicts another or is out of range.
-std::vector<WallDescription> read_walls(const Section& root, std::size_t dimensions);
-
-/// What the tables [[obstacles]] describe, one for each position. Error: as for read_walls.
-std::vector<ObstacleDescription> read_obstacles(const Section& root, std::size_t dimensions);
+/// What the tables [[walls]] and [[obstacles]] of a scenario describe, one surface for each position. Error,
+/// with the location of the value: a key is missing, contradicts another or is out of range.
+std::vector<SurfaceDescription> read_surfaces(const Section& root, std::size_t dimensions);
 
 // --- read_spheres.cpp ---
 

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/scenario/read_tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
+#include <variant>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
@@ -11,59 +14,77 @@
 namespace hardball {
 namespace {
 
-// A vector of any length but zero.
-Vec3 read_direction(const Section& section, const std::string& key, std::size_t dimensions) {
-  const Value value = section.need(key);
+// The unit vector along one of any length but zero.
+Vec3 direction_of(const Value& value, std::string_view key, std::size_t dimensions) {
   const Vec3 direction = value.vector(dimensions);
-  check_positive(std::hypot(direction.x, direction.y, direction.z), "the length of " + key, value.location());
-  return direction;
+  check_positive(std::hypot(direction.x, direction.y, direction.z), "the length of " + std::string(key),
+                 value.location());
+  // Components along an axis stay exact, and no square overflows.
+  const double largest = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
+  const Vec3 scaled{direction.x / largest, direction.y / largest, direction.z / largest};
+  const double norm = length(scaled);
+  return {scaled.x / norm, scaled.y / norm, scaled.z / norm};
 }
 
-// Restitution and temperature of a face, a wall or an obstacle.
-template <class Description>
-void read_surface(const Section& section, Description& surface) {
-  if (const auto restitution = section.find("restitution")) surface.restitution = restitution->number();
+SurfaceMaterial read_material(const Section& section) {
+  SurfaceMaterial material;
+  if (const auto restitution = section.find("restitution")) material.restitution = restitution->number();
   if (const auto temperature = section.find("temperature")) {
-    surface.temperature = temperature->number();
-    if (surface.restitution) {
+    material.temperature = temperature->number();
+    if (material.restitution) {
       throw Error(
           "both restitution and temperature are given", temperature->location(),
           "remove one of the two: the velocities with which spheres leave a thermal wall do not depend on "
           "those before");
     }
   }
+  return material;
 }
 
-void read_motion(const Section& section, std::size_t dimensions, WallDescription& wall) {
+// A shape by its name, at rest.
+Shape read_shape(const Section& section, const std::string& name, std::size_t dimensions) {
+  return *shape_of(name, [&]<class Get>(const Field<Get>& field) {
+    const Value value = section.need(field.name);
+    if constexpr (std::is_same_v<typename Field<Get>::Value, Vec3>)
+      return direction_of(value, field.name, dimensions);
+    else
+      return value.number();
+  });
+}
+
+// The plane, or one that oscillates if the section says so.
+Shape read_oscillation(const Section& section, const Shape& plane) {
   const std::optional<Value> velocity = section.find("velocity");
-  if (velocity) wall.velocity = velocity->vector(dimensions);
-  if (wall.shape != WallDescription::Shape::plane) return;
   const std::optional<Value> amplitude = section.find("amplitude");
   const std::optional<Value> frequency = section.find("frequency");
-  if (!amplitude && !frequency) return;
+  if (!amplitude && !frequency) return plane;
   if (velocity) {
     throw Error("both velocity and " + std::string(amplitude ? "amplitude" : "frequency") + " are given",
                 velocity->location(), "a plane either moves evenly or oscillates; remove one of the two");
   }
-  wall.amplitude = section.need("amplitude").number();
-  wall.frequency = section.need("frequency").number();
+  return oscillating(plane, section.need("amplitude").number(), section.need("frequency").number());
 }
 
-WallDescription read_wall(const Section& section, std::size_t dimensions) {
-  using Shape = WallDescription::Shape;
-  WallDescription wall;
-  wall.where = section.location();
-  wall.shape = static_cast<Shape>(section.need("shape").choice());
-  wall.point = section.need("point").vector(dimensions);
-  if (wall.shape == Shape::plane) wall.direction = read_direction(section, "normal", dimensions);
-  if (wall.shape == Shape::cylinder || wall.shape == Shape::cone)
-    wall.direction = read_direction(section, "axis", dimensions);
-  if (wall.shape == Shape::cone) wall.slope = section.need("slope").number();
-  if (wall.shape == Shape::cylinder || wall.shape == Shape::sphere)
-    wall.radius = section.need("radius").number();
-  read_surface(section, wall);
-  read_motion(section, dimensions, wall);
-  return wall;
+// Error, with `where` as its place: a number cannot be computed with.
+SurfaceDescription described(const Shape& shape, const Vec3& point, const Vec3& velocity,
+                             const SurfaceMaterial& material, const std::string& where) {
+  try {
+    return {Surface(shape, point, velocity, material), where};
+  } catch (const Error& error) {
+    throw Error(error.problem(), where, error.remedy());
+  }
+}
+
+SurfaceDescription read_wall(const Section& section, std::size_t dimensions) {
+  const Value name = section.need("shape");
+  static_cast<void>(name.choice());
+  const Vec3 point = section.need("point").vector(dimensions);
+  Shape shape = read_shape(section, name.text(), dimensions);
+  const SurfaceMaterial material = read_material(section);
+  Vec3 velocity;
+  if (const auto given = section.find("velocity")) velocity = given->vector(dimensions);
+  if (std::holds_alternative<Plane>(shape)) shape = read_oscillation(section, shape);
+  return described(shape, point, velocity, material, section.location());
 }
 
 std::vector<Vec3> read_positions(const Section& section, std::size_t dimensions) {
@@ -84,35 +105,23 @@ std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensio
   for (Face face = 0; table && face < kFaces; ++face) {
     const std::optional<Section> section = table->section(kFaceNames[face]);
     if (!section) continue;
-    FaceDescription description;
-    description.face = face;
-    description.where = section->location();
-    read_surface(*section, description);
-    if (const auto velocity = section->find("velocity")) description.velocity = velocity->vector(dimensions);
-    faces.push_back(description);
+    FaceProperties properties{.material = read_material(*section)};
+    if (const auto velocity = section->find("velocity")) properties.velocity = velocity->vector(dimensions);
+    faces.push_back({face, properties, section->location()});
   }
   return faces;
 }
 
-std::vector<WallDescription> read_walls(const Section& root, std::size_t dimensions) {
-  std::vector<WallDescription> walls;
-  for (const Section& section : root.sections("walls")) walls.push_back(read_wall(section, dimensions));
-  return walls;
-}
-
-std::vector<ObstacleDescription> read_obstacles(const Section& root, std::size_t dimensions) {
-  std::vector<ObstacleDescription> obstacles;
+std::vector<SurfaceDescription> read_surfaces(const Section& root, std::size_t dimensions) {
+  std::vector<SurfaceDescription> surfaces;
+  for (const Section& section : root.sections("walls")) surfaces.push_back(read_wall(section, dimensions));
   for (const Section& section : root.sections("obstacles")) {
-    ObstacleDescription obstacle;
-    obstacle.where = section.location();
-    obstacle.radius = section.need("radius").number();
-    read_surface(section, obstacle);
-    for (const Vec3& position : read_positions(section, dimensions)) {
-      obstacle.position = position;
-      obstacles.push_back(obstacle);
-    }
+    const Obstacle obstacle(section.need("radius").number());
+    const SurfaceMaterial material = read_material(section);
+    for (const Vec3& position : read_positions(section, dimensions))
+      surfaces.push_back(described(obstacle, position, {}, material, section.location()));
   }
-  return obstacles;
+  return surfaces;
 }
 
 }  // namespace hardball

@@ -79,7 +79,7 @@ void read_packing_fraction(const Section& box, Scenario& scenario) {
 // Error: a packing fraction is given where it does not determine the size of the box or a number of spheres.
 void check_packing_fractions(const Section& root, const Scenario& scenario) {
   const std::vector<Section> groups = root.sections("spheres");
-  const bool has_surfaces = !scenario.walls.empty() || !scenario.obstacles.empty();
+  const bool has_surfaces = !scenario.surfaces.empty();
   const auto refuse = [](const std::string& what, const Value& fraction, const char* remedy) {
     throw Error("packing_fraction is given, and " + what, fraction.location(), remedy);
   };
@@ -284,8 +284,7 @@ Scenario read_scenario(const Document& document) {
   scenario.species = read_species(root);
   read_start(root, scenario);
   scenario.faces = read_faces(*box, scenario.dimensions());
-  scenario.walls = read_walls(root, scenario.dimensions());
-  scenario.obstacles = read_obstacles(root, scenario.dimensions());
+  scenario.surfaces = read_surfaces(root, scenario.dimensions());
   check_packing_fractions(root, scenario);
   read_response(root, scenario);
   read_potentials(root, scenario);

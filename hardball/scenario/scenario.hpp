@@ -68,39 +68,20 @@ struct HARDBALL_EXPORT SphereGroup {
   double mass_of(std::size_t index) const;
 };
 
-/// Properties of a face of the box: a key of the table [box.faces] of a scenario.
+/// A face of the box with properties of its own: a key of the table [box.faces] of a scenario.
 struct FaceDescription {
   Face face = 0;
-  std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
-  std::optional<double> temperature;  ///< k T of a thermal face [M L^2 T^-2].
-  Vec3 velocity;                      ///< Along the face [L/T].
-  std::string where;                  ///< Location in the scenario, for messages.
+  FaceProperties properties;
+  std::string where;  ///< Location in the scenario, for messages.
 };
 
-/// A wall inside the box or around it: a table [[walls]] of a scenario.
-struct WallDescription {
-  enum class Shape { plane, cylinder, sphere, cone };
+/// A surface besides the faces of the box: a table [[walls]] of a scenario, or one position of a table
+/// [[obstacles]].
+struct SurfaceDescription {
+  Surface surface;
+  std::string where;  ///< Location in the scenario, for messages.
 
-  Shape shape = Shape::plane;
-  Vec3 point;         ///< A point of the plane or the axis, the center, or the apex [L].
-  Vec3 direction;     ///< The normal of a plane, toward the spheres, or the axis; of any length.
-  double radius = 0;  ///< Radius of a cylinder or sphere [L].
-  double slope = 0;   ///< Slope of a cone [1].
-  std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
-  std::optional<double> temperature;  ///< k T of a thermal wall [M L^2 T^-2].
-  Vec3 velocity;                      ///< [L/T]
-  double amplitude = 0;               ///< Amplitude of an oscillation along the normal of a plane [L].
-  double frequency = 0;               ///< Frequency of this oscillation [1/T].
-  std::string where;                  ///< Location in the scenario, for messages.
-};
-
-/// A sphere that never moves: one position of a table [[obstacles]] of a scenario.
-struct ObstacleDescription {
-  Vec3 position;                      ///< Position of its center [L].
-  double radius = 0;                  ///< [L]
-  std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
-  std::optional<double> temperature;  ///< k T of a thermal surface [M L^2 T^-2].
-  std::string where;                  ///< Location in the scenario, for messages.
+  bool is_obstacle() const { return std::holds_alternative<Obstacle>(surface.shape()); }
 };
 
 /// A species: a table [[species]] of a scenario.
@@ -151,13 +132,12 @@ struct HARDBALL_EXPORT Scenario {
   std::optional<double> packing_fraction;
   /// 2 if the box is flat.
   std::size_t dimensions() const { return box[2].boundary == Boundary::flat ? 2 : 3; }
-  Vec3 gravity;                        ///< [L/T^2]
-  Shear shear;                         ///< Shear of the box.
-  bool is_shear_offset_given = false;  ///< Otherwise it is the tilt of a start file's box.
-  std::string shear_where;             ///< For messages.
-  std::vector<FaceDescription> faces;  ///< Faces of the box with properties of their own.
-  std::vector<WallDescription> walls;  ///< Besides those of the box.
-  std::vector<ObstacleDescription> obstacles;
+  Vec3 gravity;                                     ///< [L/T^2]
+  Shear shear;                                      ///< Shear of the box.
+  bool is_shear_offset_given = false;               ///< Otherwise it is the tilt of a start file's box.
+  std::string shear_where;                          ///< For messages.
+  std::vector<FaceDescription> faces;               ///< Faces of the box with properties of their own.
+  std::vector<SurfaceDescription> surfaces;         ///< Walls, then obstacles, each in the order of the file.
   std::vector<SphereGroup> spheres;                 ///< In the order of ids.
   std::optional<std::filesystem::path> start_file;  ///< A file with snapshots, instead of `spheres`.
   /// How velocities are drawn for a start file that has none: by the mean speed or the temperature.

@@ -7,6 +7,17 @@
 #include <variant>
 
 namespace hardball {
+namespace {
+
+// Whether it holds for the material of a face with properties of its own, or of a surface.
+bool any_of_walls(const Scenario& scenario, const auto& holds) {
+  return std::ranges::any_of(scenario.faces,
+                             [&](const FaceDescription& face) { return holds(face.properties.material); }) ||
+         std::ranges::any_of(scenario.surfaces,
+                             [&](const SurfaceDescription& wall) { return holds(wall.surface.material()); });
+}
+
+}  // namespace
 
 bool loses_energy(const BounceRules& rules) {
   const auto* constant = std::get_if<ConstantRestitution>(&rules.restitution);
@@ -14,34 +25,33 @@ bool loses_energy(const BounceRules& rules) {
 }
 
 bool loses_energy(const Scenario& scenario) {
-  const auto any_lossy = [](const auto& walls) {
-    return std::ranges::any_of(walls, [](const auto& wall) { return wall.restitution.value_or(1) < 1; });
-  };
-  return loses_energy(scenario.bounce) || any_lossy(scenario.faces) || any_lossy(scenario.walls) ||
-         any_lossy(scenario.obstacles) ||
+  const auto is_lossy = [](const SurfaceMaterial& material) { return material.restitution.value_or(1) < 1; };
+  return loses_energy(scenario.bounce) || any_of_walls(scenario, is_lossy) ||
          std::ranges::any_of(scenario.pairs, [](const PairDescription& pair) {
            return pair.outcome == ContactOutcome::bounce && loses_energy(pair.bounce);
          });
 }
 
 bool are_kept_moving(const Scenario& scenario) {
-  const auto is_warm = [](const auto& wall) { return wall.temperature.value_or(0) > 0; };
-  const auto moves = [](const auto& wall) { return wall.velocity != Vec3{}; };
-  const auto oscillates = [](const WallDescription& wall) { return wall.amplitude > 0; };
-  const auto any = [](const auto& walls, const auto&... drive) {
-    return std::ranges::any_of(walls, [&](const auto& wall) { return (drive(wall) || ...); });
+  const auto is_warm = [](const SurfaceMaterial& material) { return material.temperature.value_or(0) > 0; };
+  const auto face_moves = [](const FaceDescription& face) { return face.properties.velocity != Vec3{}; };
+  const auto moves = [](const SurfaceDescription& wall) {
+    return wall.surface.velocity() != Vec3{} ||
+           std::holds_alternative<OscillatingPlane>(wall.surface.shape());
   };
-  return scenario.thermostat || any(scenario.faces, is_warm, moves) ||
-         any(scenario.walls, is_warm, moves, oscillates) || any(scenario.obstacles, is_warm);
+  return scenario.thermostat || any_of_walls(scenario, is_warm) ||
+         std::ranges::any_of(scenario.faces, face_moves) || std::ranges::any_of(scenario.surfaces, moves);
 }
 
 bool has_floor(const Scenario& scenario) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (scenario.gravity[axis] != 0 && scenario.box[axis].boundary == Boundary::wall) return true;
   }
-  return scenario.gravity != Vec3{} && std::ranges::any_of(scenario.walls, [&](const WallDescription& wall) {
-           return is_round(wall) || dot(wall.direction, scenario.gravity) < 0;
-         });
+  const auto bears = [&](const SurfaceDescription& wall) {
+    const Vec3* const normal = wall.surface.normal();
+    return normal ? dot(*normal, scenario.gravity) < 0 : is_round(wall);
+  };
+  return scenario.gravity != Vec3{} && std::ranges::any_of(scenario.surfaces, bears);
 }
 
 }  // namespace hardball

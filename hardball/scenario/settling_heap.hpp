@@ -25,8 +25,8 @@ inline bool comes_to_rest(const Scenario& scenario) {
 }
 
 /// Whether a wall curves around spheres.
-inline bool is_round(const WallDescription& wall) {
-  return wall.shape != WallDescription::Shape::plane;
+inline bool is_round(const SurfaceDescription& wall) {
+  return !wall.surface.normal() && !wall.is_obstacle();
 }
 
 }  // namespace hardball

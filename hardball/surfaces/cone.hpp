@@ -4,9 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <string_view>
+#include <tuple>
 
+#include "hardball/geometry/extent.hpp"
 #include "hardball/surfaces/passage.hpp"
+#include "hardball/surfaces/plane.hpp"
+#include "hardball/surfaces/shape_fields.hpp"
 
 namespace hardball {
 
@@ -14,6 +20,12 @@ namespace hardball {
 class Cone {
  public:
   static constexpr std::string_view kName = "cone";
+  static constexpr std::string_view kPoint = "the apex of the cone";
+  static constexpr std::string_view kMeaning = "A cone in which spheres move: a funnel or a tapering bed.";
+  static constexpr auto fields() {
+    return std::tuple{axis_field(&Cone::axis), Field{"slope", &Cone::slope, NumberRange::positive, "",
+                                                     "its radius over the distance from its apex", "0.5"}};
+  }
 
   /// `axis` is a unit vector, from the apex into the cone; `slope` [1] its radius over the distance from the
   /// apex, the tangent of half the opening angle.
@@ -57,6 +69,22 @@ class Cone {
     // At the apex, or where a sphere touches all around: less is what rounding leaves.
     if (!(from_axis > 0x1p-90 * length(position))) return -axis_;
     return (1 / secant_) * ((1 / from_axis) * outwards - slope_ * axis_);
+  }
+  /// Where spheres may be along the axes of a box [L].
+  Extent room() const { return Plane(axis_).room(); }
+  /// What would make it the same in all images of a box that is periodic along an axis.
+  static const char* remedy_for_period(std::size_t) { return "make the axis a wall, or open"; }
+  /// The volume of the part between two faces of a box across its axis [L^3], see Box, where its apex is at
+  /// `point`; NaN if it is not known.
+  double volume(const auto& box, const Vec3& point) const {
+    const std::size_t axis = axis_along(axis_);
+    if (axis == kAxes) return std::numeric_limits<double>::quiet_NaN();
+    const double behind = axis_[axis] > 0 ? -point[axis] : point[axis] - box.size()[axis];
+    const double ahead = axis_[axis] > 0 ? box.size()[axis] - point[axis] : point[axis];
+    const double near = std::max<double>(0, behind);
+    const double far = std::max<double>(0, ahead);
+    if (box.is_flat()) return slope_ * (far * far - near * near);
+    return std::numbers::pi / 3 * slope_ * slope_ * (far * far * far - near * near * near);
   }
 
  private:

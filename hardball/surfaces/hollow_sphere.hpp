@@ -3,8 +3,11 @@
 #pragma once
 
 #include <string_view>
+#include <tuple>
 
+#include "hardball/geometry/extent.hpp"
 #include "hardball/surfaces/passage.hpp"
+#include "hardball/surfaces/shape_fields.hpp"
 
 namespace hardball {
 
@@ -12,6 +15,9 @@ namespace hardball {
 class HollowSphere {
  public:
   static constexpr std::string_view kName = "sphere";
+  static constexpr std::string_view kPoint = "the center of the sphere";
+  static constexpr std::string_view kMeaning = "A hollow sphere in which spheres move.";
+  static constexpr auto fields() { return std::tuple{radius_field(&HollowSphere::radius)}; }
 
   /// `radius` [L] is that of the cavity.
   explicit HollowSphere(double radius) : radius_(radius) {}
@@ -28,6 +34,16 @@ class HollowSphere {
   double distance(const Vec3& position) const { return radius_ - length(position); }
   /// A vector of any length from a point toward the surface.
   Vec3 towards(const Vec3& position) const { return position; }
+  /// Where spheres may be along the axes of a box [L].
+  Extent room() const { return {{-radius_, -radius_, -radius_}, {radius_, radius_, radius_}}; }
+  /// Null: it is enclosed in the box.
+  static const char* remedy_for_period(std::size_t) { return nullptr; }
+  /// The radius of the largest sphere within [L].
+  double largest_sphere() const { return radius_; }
+  /// The volume within [L^3], in a flat box the area [L^2], see Box.
+  double volume(const auto& box, const Vec3&) const { return box.sphere_volume(radius_); }
+  /// The area of the surface [L^2], in a flat box the circumference [L], see Box.
+  double area(const auto& box) const { return box.sphere_surface(radius_); }
 
  private:
   friend class Persistence;

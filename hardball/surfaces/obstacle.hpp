@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <string_view>
+#include <tuple>
 
+#include "hardball/geometry/extent.hpp"
 #include "hardball/surfaces/passage.hpp"
+#include "hardball/surfaces/shape_fields.hpp"
 
 namespace hardball {
 
@@ -13,6 +16,8 @@ namespace hardball {
 class Obstacle {
  public:
   static constexpr std::string_view kName = "obstacle";
+  static constexpr std::string_view kMeaning = "A sphere that spheres bounce off, and that nothing deflects.";
+  static constexpr auto fields() { return std::tuple{radius_field(&Obstacle::radius)}; }
 
   /// `radius` [L] is that of the obstacle.
   explicit Obstacle(double radius) : radius_(radius) {}
@@ -44,6 +49,12 @@ class Obstacle {
   double distance(const Vec3& position) const { return length(position) - radius_; }
   /// A vector of any length from a point toward the surface.
   Vec3 towards(const Vec3& position) const { return -position; }
+  /// Spheres may be anywhere around it.
+  static Extent room() { return {}; }
+  /// Null: it has images.
+  static const char* remedy_for_period(std::size_t) { return nullptr; }
+  /// The area of the surface [L^2], in a flat box the circumference [L], see Box.
+  double area(const auto& box) const { return box.sphere_surface(radius_); }
 
  private:
   friend class Persistence;

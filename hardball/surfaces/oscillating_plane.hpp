@@ -15,11 +15,23 @@ namespace hardball {
 class HARDBALL_EXPORT OscillatingPlane {
  public:
   static constexpr std::string_view kName = "oscillating plane";
+  static constexpr auto fields() {
+    return std::tuple{
+        normal_field(&OscillatingPlane::normal),
+        Field{"amplitude", &OscillatingPlane::amplitude, NumberRange::positive, "L",
+              "together with `frequency`, instead of `velocity`: at time t the plane is displaced along its "
+              "normal by amplitude · sin(2π · frequency · t)",
+              "0.1"},
+        Field{"frequency", &OscillatingPlane::frequency, NumberRange::positive, "1/T",
+              "the frequency of this oscillation", "2.0"}};
+  }
 
   /// `normal` is a unit vector, toward the spheres; amplitude [L], frequency [1/T].
   OscillatingPlane(const Vec3& normal, double amplitude, double frequency)
       : rest_(normal), amplitude_(amplitude), frequency_(frequency) {}
 
+  /// The plane at rest, in the middle.
+  const Plane& rest() const { return rest_; }
   const Vec3& normal() const { return rest_.normal(); }
   double amplitude() const { return amplitude_; }
   double frequency() const { return frequency_; }
@@ -34,6 +46,18 @@ class HARDBALL_EXPORT OscillatingPlane {
 
   double distance(const Vec3& position) const { return rest_.distance(position); }
   Vec3 towards(const Vec3& position) const { return rest_.towards(position); }
+  /// Where spheres may be along the axes of a box at all times [L].
+  Extent room() const {
+    Extent room = rest_.room();
+    const Vec3 all{amplitude_, amplitude_, amplitude_};
+    room.low -= all;
+    room.high += all;
+    return room;
+  }
+  /// See Plane.
+  const char* remedy_for_period(std::size_t axis) const { return rest_.remedy_for_period(axis); }
+  /// See Plane.
+  double area(const auto& box) const { return rest_.area(box); }
   /// By how much the plane is displaced at `moment` [L], and how fast it moves [L/T].
   Vec3 displacement_at(const Time& moment) const;
   Vec3 velocity_at(const Time& moment) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hardball/errors/error.hpp"
 
@@ -11,44 +12,17 @@ namespace hardball {
 namespace {
 
 // The caller checks the numbers of a surface; here, that the shape can be computed with.
-void check_direction(const Vec3& direction, const char* name) {
+void check_value(std::string_view name, const Vec3& direction) {
   constexpr double kRounding = 1e-12;
   if (std::fabs(dot(direction, direction) - 1) <= kRounding) return;
-  throw Error(std::string("the ") + name + " of a surface has the length " +
+  throw Error("the " + std::string(name) + " of a surface has the length " +
                   to_text(std::hypot(direction.x, direction.y, direction.z)),
               "surface", "give a unit vector");
 }
-
-void check_radius(double radius) {
-  if (radius > 0 && std::isfinite(radius)) return;
-  throw Error("the radius of a surface is " + to_text(radius), "surface", "give a positive number");
-}
-
-void check(const Plane& plane) {
-  check_direction(plane.normal(), "normal");
-}
-void check(const OscillatingPlane& plane) {
-  check_direction(plane.normal(), "normal");
-  if (plane.amplitude() > 0 && plane.frequency() > 0 && std::isfinite(plane.amplitude() * plane.frequency()))
-    return;
-  throw Error("a surface oscillates with amplitude " + to_text(plane.amplitude()) + " and frequency " +
-                  to_text(plane.frequency()),
-              "surface", "give positive numbers");
-}
-void check(const Cylinder& cylinder) {
-  check_direction(cylinder.axis(), "axis");
-  check_radius(cylinder.radius());
-}
-void check(const HollowSphere& sphere) {
-  check_radius(sphere.radius());
-}
-void check(const Obstacle& obstacle) {
-  check_radius(obstacle.radius());
-}
-void check(const Cone& cone) {
-  check_direction(cone.axis(), "axis");
-  if (cone.slope() > 0 && std::isfinite(cone.slope() * cone.slope())) return;
-  throw Error("the slope of a cone is " + to_text(cone.slope()), "surface", "give a positive number");
+void check_value(std::string_view name, double number) {
+  if (number > 0 && std::isfinite(number * number)) return;
+  throw Error("the " + std::string(name) + " of a surface is " + to_text(number), "surface",
+              "give a positive number");
 }
 
 DoubleDouble<> opening_speed(const auto& shape, const Passage& passage) {
@@ -63,7 +37,11 @@ DoubleDouble<> opening_speed(const auto& shape, const Passage& passage) {
 
 Surface::Surface(const Shape& shape, const Vec3& point, const Vec3& velocity, const SurfaceMaterial& material)
     : shape_(shape), point_(point), velocity_(velocity), material_(material) {
-  std::visit([](const auto& given) { check(given); }, shape);
+  std::visit(
+      [](const auto& given) {
+        for_each_value(given, [](const auto& field, const auto& value) { check_value(field.name, value); });
+      },
+      shape);
   if (!std::isfinite(dot(point, point)) || !std::isfinite(dot(velocity, velocity))) {
     throw Error("a point or a velocity of a surface is not finite", "surface", "give finite numbers");
   }
@@ -72,6 +50,55 @@ Surface::Surface(const Shape& shape, const Vec3& point, const Vec3& velocity, co
 
 std::string_view Surface::name() const {
   return std::visit([](const auto& shape) { return std::string_view(shape.kName); }, shape_);
+}
+
+Shape oscillating(const Shape& plane, double amplitude, double frequency) {
+  if (amplitude == 0 && frequency == 0) return plane;
+  const Plane* const at_rest = std::get_if<Plane>(&plane);
+  if (at_rest) return OscillatingPlane(at_rest->normal(), amplitude, frequency);
+  throw Error("a surface oscillates that is not a plane", "surface", "let it rest, or move evenly");
+}
+
+Shape Surface::shape_at_rest() const {
+  return std::visit(
+      [](const auto& shape) -> Shape {
+        if constexpr (requires { shape.rest(); }) return shape.rest();
+        return shape;
+      },
+      shape_);
+}
+
+const Vec3* Surface::normal() const {
+  return std::visit(
+      [](const auto& shape) -> const Vec3* {
+        if constexpr (requires { shape.normal(); }) return &shape.normal();
+        return nullptr;
+      },
+      shape_);
+}
+
+Extent Surface::room() const {
+  const Extent room = std::visit([](const auto& shape) { return shape.room(); }, shape_);
+  return {point_ + room.low, point_ + room.high};
+}
+
+double Surface::largest_sphere() const {
+  return std::visit(
+      [](const auto& shape) {
+        if constexpr (requires { shape.largest_sphere(); }) return shape.largest_sphere();
+        return std::numeric_limits<double>::infinity();
+      },
+      shape_);
+}
+
+Surface Surface::at_rest(const Time& moment) const {
+  Vec3 point = point_ + (moment.high * velocity_ + moment.low * velocity_);
+  std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { shape.displacement_at(moment); }) point += shape.displacement_at(moment);
+      },
+      shape_);
+  return {shape_at_rest(), point};
 }
 
 Passage Surface::passage_of(const Motion& motion, const Path& path, double radius) const {

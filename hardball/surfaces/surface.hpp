@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -18,13 +20,39 @@
 
 namespace hardball {
 
-/// The shapes of surfaces, each in a file of its own: where a sphere touches it, and which way it lies.
+/// The shapes of surfaces, each in a file of its own: what describes it, where a sphere touches it, which way
+/// it lies, and what it encloses.
 ///
-/// A shape has `kName`; `gap(passage)`, a polynomial that is positive while a sphere does not touch it, or
-/// `contact_time(passage)` and `opening_speed(passage)`; `distance(position)` and `towards(position)`; and if
-/// it moves by itself, `displacement_at(moment)` and `velocity_at(moment)`. Positions are relative to the
-/// surface's point.
+/// A shape has `kName`, `kMeaning` and `fields()`; `kPoint`, what its point is, if it is a wall;
+/// `gap(passage)`, a polynomial that is positive while a sphere does not touch it, or `contact_time(passage)`
+/// and `opening_speed(passage)`; `distance(position)` and `towards(position)`; `room()` and
+/// `remedy_for_period(axis)`; where they are known, `largest_sphere()`, `volume(box, point)` and `area(box)`;
+/// and if it moves by itself, `rest()`, `displacement_at(moment)` and `velocity_at(moment)`. Positions are
+/// relative to the surface's point.
 using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle, Cone>;
+
+/// Calls visit(std::type_identity<S>()) for each shape S.
+template <class Visit>
+constexpr void for_each_shape(Visit&& visit) {
+  [&]<class... S>(std::type_identity<std::variant<S...>>) {
+    (visit(std::type_identity<S>()), ...);
+  }(std::type_identity<Shape>());
+}
+
+/// The shape of this name that is described by fields: their values are read(field), in their order. None if
+/// there is no such shape. Error: a number out of range; a direction that is not a unit vector.
+template <class Read>
+std::optional<Shape> shape_of(std::string_view name, Read&& read) {
+  std::optional<Shape> shape;
+  for_each_shape([&]<class S>(std::type_identity<S>) {
+    if (S::kName == name) shape = from_fields<S>(read);
+  });
+  return shape;
+}
+
+/// A plane that oscillates along its normal, with this amplitude [L] and frequency [1/T]; the plane itself if
+/// both are zero. Error: it is not a plane.
+HARDBALL_EXPORT Shape oscillating(const Shape& plane, double amplitude, double frequency);
 
 /// A wall or an obstacle that spheres bounce off: at rest, in uniform motion, or oscillating.
 class HARDBALL_EXPORT Surface {
@@ -39,6 +67,16 @@ class HARDBALL_EXPORT Surface {
   const Vec3& velocity() const { return velocity_; }
   const SurfaceMaterial& material() const { return material_; }
   std::string_view name() const;
+  /// The shape, of one that oscillates that at rest, for the words by which it is described.
+  Shape shape_at_rest() const;
+  /// The normal of a plane, toward the spheres; null for other shapes.
+  const Vec3* normal() const;
+  /// Where spheres may be along the axes of a box, at time zero or while it oscillates [L].
+  Extent room() const;
+  /// The radius of the largest sphere within [L]; infinite if there is none.
+  double largest_sphere() const;
+  /// This surface at rest, where it is at `moment`.
+  Surface at_rest(const Time& moment) const;
 
   /// When a sphere on `path` of this base radius first touches the surface while they approach, at the start
   /// of the path or of the epoch of its growth, or later; kNever if it never does. A function of these alone.

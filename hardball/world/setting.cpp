@@ -15,16 +15,6 @@
 namespace hardball {
 namespace {
 
-// Of a plane, at rest or oscillating; null for other shapes.
-const Vec3* normal_of(const Surface& surface) {
-  return std::visit(
-      [](const auto& shape) -> const Vec3* {
-        if constexpr (requires { shape.normal(); }) return &shape.normal();
-        return nullptr;
-      },
-      surface.shape());
-}
-
 // A plane or a tube stands upright on the plane of the discs, a sphere is centered in it.
 void refuse_out_of_plane(const Surface& surface) {
   const std::string name = "the " + std::string(surface.name());
@@ -37,7 +27,7 @@ void refuse_out_of_plane(const Surface& surface) {
   }
   if (const auto* cone = std::get_if<Cone>(&surface.shape()))
     refuse_out_of_plane(cone->axis(), "the axis of " + name, "walls");
-  if (const Vec3* const normal = normal_of(surface))
+  if (const Vec3* const normal = surface.normal())
     refuse_out_of_plane(*normal, "the normal of " + name, "walls");
 }
 
@@ -70,27 +60,21 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
       throw Error("an obstacle moves in a periodic box", "walls",
                   "keep it at rest, or use a kinematic sphere");
     }
-    if (const Vec3* const normal = normal_of(surface)) {
-      if ((*normal)[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
-      continue;
-    }
-    if (std::holds_alternative<Cone>(surface.shape())) refuse(axis, "make the axis a wall, or open");
-    const auto* cylinder = std::get_if<Cylinder>(&surface.shape());
-    if (cylinder != nullptr && std::fabs(cylinder->axis()[axis]) == 1) continue;
-    if (cylinder != nullptr && cylinder->axis()[axis] != 0)
-      refuse(axis, "make it parallel to an axis of the box");
-    const double radius =
-        cylinder != nullptr ? cylinder->radius() : std::get<HollowSphere>(surface.shape()).radius();
+    const char* const remedy =
+        std::visit([&](const auto& shape) { return shape.remedy_for_period(axis); }, surface.shape());
+    if (remedy) refuse(axis, remedy);
+    const Extent room = std::visit([](const auto& shape) { return shape.room(); }, surface.shape());
+    if (!std::isfinite(room.high[axis])) continue;
     const double center = surface.point()[axis];
-    if (surface.velocity()[axis] != 0 || center < radius || center > box.size()[axis] - radius) {
+    const bool is_inside = center >= -room.low[axis] && center <= box.size()[axis] - room.high[axis];
+    if (surface.velocity()[axis] != 0 || !is_inside)
       refuse(axis, "keep it inside the box and at rest, or make the axis open");
-    }
   }
 }
 
 // A plane that recedes, or is at rest, is not met if no corner of the box lies beyond it.
 void refuse_behind_faces(const Surface& surface, const Box& box) {
-  const Vec3* const normal = normal_of(surface);
+  const Vec3* const normal = surface.normal();
   if (normal == nullptr || dot(surface.velocity(), *normal) > 0) return;
   double gap = 0;  // of the corner that comes closest
   double scale = 0;
@@ -123,7 +107,7 @@ void check_setting(const Box& box, const Motion& motion, std::span<const Surface
   for (const Surface& surface : surfaces) {
     refuse_in_periodic_box(surface, box);
     refuse_behind_faces(surface, box);
-    if (!box.is_sheared() || normal_of(surface) != nullptr) continue;
+    if (!box.is_sheared() || surface.normal() != nullptr) continue;
     const bool is_obstacle = std::holds_alternative<Obstacle>(surface.shape());
     throw Error("the box is sheared, and there is " +
                     (is_obstacle ? "an obstacle" : "a " + std::string(surface.name())),
@@ -179,12 +163,7 @@ double largest_fitting_radius(const Box& box, std::span<const Surface> surfaces)
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (box.is_bounded(axis)) radius = std::min(radius, box.size()[axis] / 2);
   }
-  for (const Surface& surface : surfaces) {
-    if (const auto* cylinder = std::get_if<Cylinder>(&surface.shape()))
-      radius = std::min(radius, cylinder->radius());
-    if (const auto* sphere = std::get_if<HollowSphere>(&surface.shape()))
-      radius = std::min(radius, sphere->radius());
-  }
+  for (const Surface& surface : surfaces) radius = std::min(radius, surface.largest_sphere());
   return radius;
 }
 

@@ -85,19 +85,6 @@ Time time_of_face(const Setting& setting, const Path& path, double radius, std::
   return after(path.time, earliest_descent({{{{gap, 0}, {-approach, 0}, {-0.5 * pull, 0}}}}));
 }
 
-// The part of a cone between two faces of the box across its axis; NaN if its axis is not one of the box's.
-double volume_within(const Cone& cone, const Vec3& apex, const Box& box) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double direction = cone.axis()[axis];
-    if (std::fabs(direction) != 1) continue;
-    const double near = std::max(0.0, direction > 0 ? -apex[axis] : apex[axis] - box.size()[axis]);
-    const double far = std::max(0.0, direction > 0 ? box.size()[axis] - apex[axis] : apex[axis]);
-    if (box.is_flat()) return cone.slope() * (far * far - near * near);
-    return std::numbers::pi / 3 * cone.slope() * cone.slope() * (far * far * far - near * near * near);
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 }  // namespace
 
 bool has_walls(const Setting& setting) {
@@ -236,18 +223,13 @@ double accessible_volume(const Setting& setting) {
     }
     if (is_enclosed) return std::numeric_limits<double>::quiet_NaN();
     is_enclosed = true;
-    volume = std::numeric_limits<double>::quiet_NaN();
-    if (const auto* sphere = std::get_if<HollowSphere>(&shape)) {
-      volume = box.sphere_volume(sphere->radius());
-    } else if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
-      const double section = std::numbers::pi * cylinder->radius() * cylinder->radius();
-      for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        if (std::fabs(cylinder->axis()[axis]) != 1) continue;
-        volume = box.is_flat() ? section : section * box.size()[axis];
-      }
-    } else if (const auto* cone = std::get_if<Cone>(&shape)) {
-      volume = volume_within(*cone, surface.point(), box);
-    }
+    volume = std::visit(
+        [&](const auto& enclosing) {
+          if constexpr (requires { enclosing.volume(box, surface.point()); })
+            return enclosing.volume(box, surface.point());
+          return std::numeric_limits<double>::quiet_NaN();
+        },
+        shape);
   }
   return volume - obstacles;
 }

@@ -150,28 +150,15 @@ std::string text_of(const Box& box) {
   return call.text();
 }
 
-// The function that makes it, and its arguments.
-CallText text_of(const Plane& plane) {
-  return CallText("Surface.plane").add(plane.normal());
-}
-CallText text_of(const OscillatingPlane& plane) {
-  return CallText("Surface.plane").add(plane.normal());
-}
-CallText text_of(const Cylinder& cylinder) {
-  return CallText("Surface.cylinder").add(cylinder.axis()).add(cylinder.radius());
-}
-CallText text_of(const Cone& cone) {
-  return CallText("Surface.cone").add(cone.axis()).add(cone.slope());
-}
-CallText text_of(const HollowSphere& sphere) {
-  return CallText("Surface.sphere").add(sphere.radius());
-}
-CallText text_of(const Obstacle& obstacle) {
-  return CallText("Surface.obstacle").add(obstacle.radius());
-}
-
 std::string text_of(const Surface& surface) {
-  CallText call = std::visit([](const auto& shape) { return text_of(shape); }, surface.shape());
+  const Shape shape = surface.shape_at_rest();
+  CallText call = std::visit(
+      [](const auto& its) {
+        CallText made("Surface." + std::string(its.kName));
+        for_each_value(its, [&](const auto&, const auto& value) { made.add(value); });
+        return made;
+      },
+      shape);
   if (surface.point() != Vec3{}) call.add("point", surface.point());
   if (surface.velocity() != Vec3{}) call.add("velocity", surface.velocity());
   if (const auto* const plane = std::get_if<OscillatingPlane>(&surface.shape())) {
@@ -192,72 +179,97 @@ Vec3 unit(const Vec3& direction) {
   return (1 / norm) * direction;
 }
 
-Surface surface_of(const Shape& shape, const py::handle& point, const py::handle& velocity,
+// Arguments of all surfaces, after those of their shapes.
+template <class... Extra>
+auto arguments_of_surface(const Extra&... extra) {
+  const py::tuple origin = py::make_tuple(0.0, 0.0, 0.0);
+  return std::tuple{py::arg("point") = origin,
+                    py::kw_only(),
+                    py::arg("velocity") = origin,
+                    extra...,
+                    py::arg("restitution") = py::none(),
+                    py::arg("temperature") = py::none(),
+                    py::arg("seed") = 0};
+}
+
+// What a value of a field is in Python: a vector, of any length where it is a direction, or a number.
+template <class Get>
+using Given = std::conditional_t<std::is_same_v<typename Field<Get>::Value, Vec3>, py::object, double>;
+
+template <class Value>
+Value given_as(const py::object& vector, std::string_view name) {
+  return unit(vector_of(vector, std::string(name), kMayBeFlat));
+}
+template <class Value>
+Value given_as(double number, std::string_view) {
+  return number;
+}
+
+Surface surface_of(const Shape& shape, const py::object& point, const py::object& velocity,
                    std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
   return Surface(shape, vector_of(point, "point", kMayBeFlat), vector_of(velocity, "velocity", kMayBeFlat),
                  {.restitution = restitution, .temperature = temperature, .seed = seed});
 }
 
-void bind_surface(py::module_& module) {
-  const py::tuple origin = py::make_tuple(0.0, 0.0, 0.0);
-  py::class_<Surface>(module, "Surface", doc::Surface)
-      .def_static(
-          "plane",
+// What it is, and the fields that describe it.
+template <class S>
+std::string documentation_of() {
+  std::string text(S::kMeaning);
+  for_each_field<S>([&](const auto& field) {
+    text += " `" + std::string(field.name) + "`" +
+            (field.dimension.empty() ? "" : " [" + std::string(field.dimension) + "]") + ": " +
+            std::string(field.meaning) + ".";
+  });
+  if constexpr (requires { S::kPoint; }) text += " `point` [L]: " + std::string(S::kPoint) + ".";
+  return text;
+}
+
+// Surface.NAME(fields, point, *, velocity, ...), by which a surface of this shape is made.
+template <class S>
+void bind_shape(py::class_<Surface>& surface) {
+  const std::string name(S::kName);
+  const auto define = [&]<class... Get>(const Field<Get>&... field) {
+    const auto with_arguments = [&](const auto& make, const auto& arguments,
+                                    const std::string& documentation) {
+      std::apply(
+          [&](const auto&... argument) {
+            surface.def_static(name.c_str(), make, py::arg(field.name.data())..., argument...,
+                               documentation.c_str());
+          },
+          arguments);
+    };
+    if constexpr (std::is_same_v<S, Plane>) {
+      with_arguments(
           [](const py::object& normal, const py::object& point, const py::object& velocity, double amplitude,
              double frequency, std::optional<double> restitution, std::optional<double> temperature,
              std::uint64_t seed) {
-            const Vec3 towards_spheres = unit(vector_of(normal, "normal", kMayBeFlat));
-            const Shape shape = amplitude == 0 && frequency == 0
-                                    ? Shape(Plane(towards_spheres))
-                                    : Shape(OscillatingPlane(towards_spheres, amplitude, frequency));
-            return surface_of(shape, point, velocity, restitution, temperature, seed);
-          },
-          py::arg("normal"), py::arg("point") = origin, py::kw_only(), py::arg("velocity") = origin,
-          py::arg("amplitude") = 0.0, py::arg("frequency") = 0.0, py::arg("restitution") = py::none(),
-          py::arg("temperature") = py::none(), py::arg("seed") = 0,
-          "A plane through `point` [L]; `normal`, of any length, points toward the spheres. It may move, or "
-          "oscillate along the normal with `amplitude` [L] and `frequency` [1/T].")
-      .def_static(
-          "cylinder",
-          [](const py::object& axis, double radius, const py::object& point,
-             std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
-            return surface_of(Cylinder(unit(vector_of(axis, "axis", kMayBeFlat)), radius), point,
-                              py::make_tuple(0.0, 0.0, 0.0), restitution, temperature, seed);
-          },
-          py::arg("axis"), py::arg("radius"), py::arg("point") = origin, py::kw_only(),
-          py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
-          "A tube of `radius` [L] in which spheres move; `axis`, of any length, passes through `point` [L].")
-      .def_static(
-          "cone",
-          [](const py::object& axis, double slope, const py::object& point, std::optional<double> restitution,
-             std::optional<double> temperature, std::uint64_t seed) {
-            return surface_of(Cone(unit(vector_of(axis, "axis", kMayBeFlat)), slope), point,
-                              py::make_tuple(0.0, 0.0, 0.0), restitution, temperature, seed);
-          },
-          py::arg("axis"), py::arg("slope"), py::arg("point") = origin, py::kw_only(),
-          py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
-          "A cone with its apex at `point` [L] in which spheres move; `axis`, of any length, leads from the "
-          "apex into it, and `slope` is its radius over the distance from the apex.")
-      .def_static(
-          "sphere",
-          [](double radius, const py::object& point, std::optional<double> restitution,
-             std::optional<double> temperature, std::uint64_t seed) {
-            return surface_of(HollowSphere(radius), point, py::make_tuple(0.0, 0.0, 0.0), restitution,
+            const Plane plane(given_as<Vec3>(normal, "normal"));
+            return surface_of(oscillating(plane, amplitude, frequency), point, velocity, restitution,
                               temperature, seed);
           },
-          py::arg("radius"), py::arg("point") = origin, py::kw_only(), py::arg("restitution") = py::none(),
-          py::arg("temperature") = py::none(), py::arg("seed") = 0,
-          "A hollow sphere of `radius` [L] around `point` [L], in which spheres move.")
-      .def_static(
-          "obstacle",
-          [](double radius, const py::object& point, const py::object& velocity,
-             std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
-            return surface_of(Obstacle(radius), point, velocity, restitution, temperature, seed);
+          arguments_of_surface(py::arg("amplitude") = 0.0, py::arg("frequency") = 0.0),
+          documentation_of<S>() +
+              " It may move, or oscillate along the normal with `amplitude` [L] and `frequency` [1/T].");
+    } else {
+      with_arguments(
+          [field...](const Given<Get>&... given, const py::object& point, const py::object& velocity,
+                     std::optional<double> restitution, std::optional<double> temperature,
+                     std::uint64_t seed) {
+            return surface_of(S{given_as<typename Field<Get>::Value>(given, field.name)...}, point, velocity,
+                              restitution, temperature, seed);
           },
-          py::arg("radius"), py::arg("point") = origin, py::kw_only(), py::arg("velocity") = origin,
-          py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
-          "A sphere of `radius` [L] around `point` [L] that spheres bounce off, and that nothing deflects.")
-      .def_property_readonly("name", [](const Surface& self) { return std::string(self.name()); })
+          arguments_of_surface(), documentation_of<S>());
+    }
+  };
+  std::apply(define, S::fields());
+}
+
+void bind_surface(py::module_& module) {
+  py::class_<Surface> surface(module, "Surface", doc::Surface);
+  for_each_shape([&]<class S>(std::type_identity<S>) {
+    if constexpr (!requires(S shape) { shape.rest(); }) bind_shape<S>(surface);
+  });
+  surface.def_property_readonly("name", [](const Surface& self) { return std::string(self.name()); })
       .def_property_readonly(
           "point", [](const Surface& self) { return read_only(array_of(self.point())); },
           "The point at time zero [L].")

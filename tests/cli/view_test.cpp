@@ -140,10 +140,9 @@ TEST_F(View, PassesGravityAndSurfacesToThePage) {
   std::filesystem::create_directory(folder_ / "out");
   World world(Box::open());
   world.add({.position = {0, 0, 1}, .radius = 0.5});
-  const RecordingHeader header{
-      .name = "floor",
-      .gravity = {0, 0, -9.81},
-      .surfaces = {{.shape = RecordedSurface::Shape::plane, .direction = {0, 0, 1}, .temperature = 2}}};
+  const RecordingHeader header{.name = "floor",
+                               .gravity = {0, 0, -9.81},
+                               .surfaces = {{Plane({0, 0, 1}), {}, {}, {.temperature = 2}}}};
   RecordingWriter(folder_ / "out/recording.hbr", header, world).close(1);
   start({"out"});
   const json shown = json::parse(get("/api/header"));

@@ -122,18 +122,17 @@ TEST_F(Recording, AnUnknownEndIsNull) {
   EXPECT_EQ(parse_recording_header(to_json({}), "test").until, std::nullopt);
 }
 
-std::vector<RecordedSurface> every_surface() {
-  using Shape = RecordedSurface::Shape;
-  return {
-      {.shape = Shape::plane,
-       .point = {0, 0, 1},
-       .direction = {0, 0.6, 0.8},
-       .velocity = {0, 0.25, 0.5},
-       .amplitude = 0.125,
-       .frequency = 3},
-      {.shape = Shape::cylinder, .point = {5, 4, 0}, .direction = {0, 0, 1}, .radius = 4, .temperature = 2.5},
-      {.shape = Shape::sphere, .point = {5, 4, 1}, .radius = 7, .restitution = 0.5},
-      {.shape = Shape::obstacle, .point = {1, 2, 3}, .radius = 0.1}};
+std::vector<Surface> every_surface() {
+  return {{OscillatingPlane({0, 0.6, 0.8}, 0.125, 3), {0, 0, 1}, {0, 0.25, 0.5}},
+          {Cylinder({0, 0, 1}, 4), {5, 4, 0}, {}, {.temperature = 2.5}},
+          {HollowSphere(7), {5, 4, 1}, {}, {.restitution = 0.5}},
+          {Cone({0, 0.6, -0.8}, 0.25), {1, 1, 1}},
+          {Obstacle(0.1), {1, 2, 3}}};
+}
+
+// What a recording says of surfaces, without restitutions.
+std::string text_of(const std::vector<Surface>& surfaces) {
+  return nlohmann::json::parse(to_json({.restitution = std::nan(""), .surfaces = surfaces}))["surfaces"].dump();
 }
 
 TEST_F(Recording, ContainsGravityAndSurfaces) {
@@ -141,7 +140,8 @@ TEST_F(Recording, ContainsGravityAndSurfaces) {
   RecordingWriter(folder_ / "recording.hbr", header, make_mixture()).close(1);
   const RecordingReader reader(folder_ / "recording.hbr");
   EXPECT_EQ(reader.header().gravity, header.gravity);
-  EXPECT_EQ(reader.header().surfaces, header.surfaces);
+  EXPECT_EQ(nlohmann::json::parse(to_json(reader.header()))["surfaces"],
+            nlohmann::json::parse(to_json(header))["surfaces"]);
   const nlohmann::json json = nlohmann::json::parse(reader.header_text());
   EXPECT_EQ(json["gravity"], nlohmann::json::parse("[0, 0.5, -9.81]"));
   EXPECT_EQ(json["surfaces"][1], nlohmann::json::parse(R"({"shape": "cylinder", "point": [5, 4, 0],
@@ -165,9 +165,7 @@ TEST_F(Recording, KeysThatAreAbsentHaveTheUsualMeaning) {
          {"shape": "plane", "point": [1, 2, 3], "direction": [0, 0, 1]},
          {"shape": "obstacle", "point": [1, 2, 3], "radius": 2, "more": []}])");
   ASSERT_EQ(header.surfaces.size(), 2U);
-  EXPECT_EQ(header.surfaces[0], (RecordedSurface{.point = {1, 2, 3}}));
-  EXPECT_EQ(header.surfaces[1],
-            (RecordedSurface{.shape = RecordedSurface::Shape::obstacle, .point = {1, 2, 3}, .radius = 2}));
+  EXPECT_EQ(text_of(header.surfaces), text_of({{Plane({0, 0, 1}), {1, 2, 3}}, {Obstacle(2), {1, 2, 3}}}));
 }
 
 TEST_F(Recording, NumbersSurfacesAfterTheFacesOfTheBox) {
@@ -182,14 +180,14 @@ TEST_F(Recording, NumbersSurfacesAfterTheFacesOfTheBox) {
     writer.record(contact, make_mixture());
     writer.close(2);
   };
-  record_contact_with(9);
+  record_contact_with(10);
   RecordingReader reader(folder_ / "recording.hbr");
   const RecordedContact contact = reader.read(0).contacts.at(0);
   EXPECT_FALSE(contact.is_collision());
-  EXPECT_EQ(contact.second, -10);
+  EXPECT_EQ(contact.second, -11);
   EXPECT_EQ(contact.first_velocity, (Vec3{1, 2, 3}));
-  record_contact_with(10);
-  EXPECT_THROW(RecordingReader(folder_ / "recording.hbr").read(0), Error) << "there are four surfaces";
+  record_contact_with(11);
+  EXPECT_THROW(RecordingReader(folder_ / "recording.hbr").read(0), Error) << "there are five surfaces";
 }
 
 TEST_F(Recording, PathsAreParabolasUnderGravity) {
@@ -475,9 +473,9 @@ TEST_F(Recording, WhateverAHeaderContainsIsReadOrRefused) {
   const auto attempt = [&](const std::string& changed) {
     try {
       const RecordingHeader header = parse_recording_header(changed, "test");
-      for (const RecordedSurface& surface : header.surfaces) {
-        EXPECT_TRUE(surface.shape == RecordedSurface::Shape::plane || surface.radius > 0) << changed;
-        EXPECT_TRUE(std::isfinite(dot(surface.point, surface.velocity))) << changed;
+      for (const Surface& surface : header.surfaces) {
+        EXPECT_TRUE(surface.normal() || surface.largest_sphere() > 0) << changed;
+        EXPECT_TRUE(std::isfinite(dot(surface.point(), surface.velocity()))) << changed;
       }
       ++read;
     } catch (const Error&) {
@@ -515,7 +513,7 @@ TEST_F(Recording, InvalidSurfacesAreRefusedByNumber) {
   expect_refused(R"({"shape": "torus", "point": [0, 0, 0]})", "a shape is unknown");
   const std::string cone = R"({"shape": "cone", "point": [0, 0, 0], "direction": [0, 0, 1], "slope": )";
   ASSERT_EQ(refusal_of_surfaces("[" + cone + "0.5}]"), "");
-  expect_refused(cone + "0}", "the slope is 0");
+  expect_refused(cone + "0}", "the slope of a surface is 0");
   expect_refused(R"({"shape": 1, "point": [0, 0, 0]})", "a shape is unknown");
   expect_refused(R"({"shape": "plane", "direction": [0, 0, 1]})", "key 'point' is missing");
   expect_refused(R"({"shape": "plane", "point": [0, 0, 0]})", "key 'direction' is missing");
@@ -524,25 +522,26 @@ TEST_F(Recording, InvalidSurfacesAreRefusedByNumber) {
   expect_refused(R"({"shape": "plane", "point": [0, 0, null], "direction": [0, 0, 1]})",
                  "a number is missing");
   expect_refused(R"({"shape": "plane", "point": [0, 0, 0], "direction": [0, 0, 2]})",
-                 "the direction is not a unit vector");
+                 "the normal of a surface has the length 2");
   expect_refused(R"({"shape": "cylinder", "point": [0, 0, 0], "direction": [0, 0, 0], "radius": 1})",
-                 "the direction is not a unit vector");
+                 "the axis of a surface has the length 0");
   expect_refused(R"({"shape": "cylinder", "point": [0, 0, 0], "direction": [0, 0, 1]})",
                  "key 'radius' is missing");
-  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 0})", "the radius is 0");
-  expect_refused(R"({"shape": "obstacle", "point": [0, 0, 0], "radius": -1})", "the radius is -1");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 0})", "the radius of a surface is 0");
+  expect_refused(R"({"shape": "obstacle", "point": [0, 0, 0], "radius": -1})",
+                 "the radius of a surface is -1");
   expect_refused(R"({"shape": "obstacle", "point": [0, 0, 0], "radius": 1, "velocity": 2})",
                  "there are not three entries");
   expect_refused(R"({"shape": "obstacle", "point": [0, 0, 0], "radius": 1, "amplitude": 2})",
-                 "only planes oscillate");
+                 "a surface oscillates that is not a plane");
   expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "frequency": -1})",
-                 "the frequency is -1");
+                 "a surface oscillates that is not a plane");
   expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "temperature": -1})",
-                 "the temperature is -1");
+                 "the temperature of a surface is -1");
   expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "temperature": "hot"})",
                  "a number is missing");
   expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "restitution": -1})",
-                 "the restitution is -1");
+                 "the restitution of a surface is -1");
   for (const std::string surfaces : {"{}", "null", "3", "\"plane\""}) {
     EXPECT_NE(refusal_of_surfaces(surfaces).find("the surfaces are not a list"), std::string::npos)
         << surfaces;
@@ -631,24 +630,12 @@ TEST(RecordingHeader, HasGravityAndSurfaces) {
   world.add({.position = {5, 5, 5}});
   const RecordingHeader header = recording_header(Simulation(interacting(world, Restitution(0.75))));
   EXPECT_EQ(header.gravity, (Vec3{0, 0, -2}));
-  using Shape = RecordedSurface::Shape;
-  EXPECT_EQ(header.surfaces,
-            (std::vector<RecordedSurface>{
-                {.shape = Shape::plane, .point = {1, 2, 3}, .velocity = {0, 0, 0.25}, .restitution = 0.5},
-                {.shape = Shape::plane,
-                 .point = {-20, 0, 0},
-                 .direction = {1, 0, 0},
-                 .amplitude = 0.125,
-                 .frequency = 2,
-                 .restitution = 0.75},
-                {.shape = Shape::cylinder,
-                 .point = {5, 5, 0},
-                 .direction = {0, 0, 1},
-                 .radius = 30,
-                 .temperature = 2,
-                 .restitution = 0.75},
-                {.shape = Shape::sphere, .point = {5, 5, 5}, .radius = 40, .restitution = 0.75},
-                {.shape = Shape::obstacle, .point = {9, 9, 9}, .radius = 1.5, .restitution = 0.75}}));
+  EXPECT_EQ(text_of(header.surfaces), text_of(surfaces));
+  const nlohmann::json json = nlohmann::json::parse(to_json(header))["surfaces"];
+  EXPECT_EQ(json[0]["restitution"], 0.5);
+  EXPECT_EQ(json[1], nlohmann::json::parse(R"({"shape": "plane", "point": [-20, 0, 0], "direction": [1, 0, 0],
+    "radius": 0, "velocity": [0, 0, 0], "amplitude": 0.125, "frequency": 2, "temperature": null,
+    "restitution": 0.75})"));
 }
 
 // Recordings of spheres that spin, merge, pass through each other, or are kinematic.
@@ -880,8 +867,8 @@ TEST_F(RecordedBodies, OfSpheresThatDoNotSpinAreUpright) {
   EXPECT_TRUE(nlohmann::json::parse(reader.header_text())["restitution"].is_null());
   EXPECT_FALSE(nlohmann::json::parse(reader.header_text()).contains("species"));
   const RecordingHeader of_walls = parse_recording_header(
-      to_json({.restitution = std::nan(""), .surfaces = {{.restitution = std::nan("")}}}), "test");
-  EXPECT_TRUE(std::isnan(of_walls.surfaces.at(0).restitution));
+      to_json({.restitution = std::nan(""), .surfaces = {{Plane({0, 0, 1}), {}}}}), "test");
+  EXPECT_FALSE(of_walls.surfaces.at(0).material().restitution);
   EXPECT_EQ(reader.read(0).bodies.at(0), (RecordedBody{.radius = 0.5, .mass = 3}));
 }
 
