@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "documentation.hpp"
 #include "hardball/errors/error.hpp"
@@ -17,11 +18,14 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/call_text.hpp"
 #include "python/bindings/pickling.hpp"
+#include "python/bindings/typed.hpp"
 
 namespace py = pybind11;
 
 namespace hardball::python {
 namespace {
+
+using Faces = Typed<"Mapping[str, Mapping[str, Any]] | None">;
 
 // A surface does not know of which box it will be.
 constexpr bool kMayBeFlat = true;
@@ -90,7 +94,7 @@ FaceProperties properties_of(const py::handle& given, const std::string& face) {
   return properties;
 }
 
-Box with_faces(Box box, const py::object& faces) {
+Box with_faces(Box box, const Faces& faces) {
   if (faces.is_none()) return box;
   if (!py::isinstance<py::dict>(faces)) {
     throw Error("it is not a dict", "faces", "give one such as {'z_min': {'temperature': 2.0}}");
@@ -103,7 +107,7 @@ Box with_faces(Box box, const py::object& faces) {
 }
 
 // What with_faces takes.
-py::dict faces_of(const Box& box) {
+Typed<"dict[str, dict[str, Any]]"> faces_of(const Box& box) {
   py::dict faces;
   for (Face face = 0; face < kFaces; ++face) {
     if (!box.has_own_properties(face)) continue;
@@ -203,7 +207,7 @@ void bind_surface(py::module_& module) {
   py::class_<Surface>(module, "Surface", doc::Surface)
       .def_static(
           "plane",
-          [](const py::object& normal, const py::object& point, const py::object& velocity, double amplitude,
+          [](const ArrayLike& normal, const ArrayLike& point, const ArrayLike& velocity, double amplitude,
              double frequency, std::optional<double> restitution, std::optional<double> temperature,
              std::uint64_t seed) {
             const Vec3 towards_spheres = unit(vector_of(normal, "normal", kMayBeFlat));
@@ -219,8 +223,8 @@ void bind_surface(py::module_& module) {
           "oscillate along the normal with `amplitude` [L] and `frequency` [1/T].")
       .def_static(
           "cylinder",
-          [](const py::object& axis, double radius, const py::object& point,
-             std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
+          [](const ArrayLike& axis, double radius, const ArrayLike& point, std::optional<double> restitution,
+             std::optional<double> temperature, std::uint64_t seed) {
             return surface_of(Cylinder(unit(vector_of(axis, "axis", kMayBeFlat)), radius), point,
                               py::make_tuple(0.0, 0.0, 0.0), restitution, temperature, seed);
           },
@@ -229,7 +233,7 @@ void bind_surface(py::module_& module) {
           "A tube of `radius` [L] in which spheres move; `axis`, of any length, passes through `point` [L].")
       .def_static(
           "cone",
-          [](const py::object& axis, double slope, const py::object& point, std::optional<double> restitution,
+          [](const ArrayLike& axis, double slope, const ArrayLike& point, std::optional<double> restitution,
              std::optional<double> temperature, std::uint64_t seed) {
             return surface_of(Cone(unit(vector_of(axis, "axis", kMayBeFlat)), slope), point,
                               py::make_tuple(0.0, 0.0, 0.0), restitution, temperature, seed);
@@ -240,7 +244,7 @@ void bind_surface(py::module_& module) {
           "apex into it, and `slope` is its radius over the distance from the apex.")
       .def_static(
           "sphere",
-          [](double radius, const py::object& point, std::optional<double> restitution,
+          [](double radius, const ArrayLike& point, std::optional<double> restitution,
              std::optional<double> temperature, std::uint64_t seed) {
             return surface_of(HollowSphere(radius), point, py::make_tuple(0.0, 0.0, 0.0), restitution,
                               temperature, seed);
@@ -250,7 +254,7 @@ void bind_surface(py::module_& module) {
           "A hollow sphere of `radius` [L] around `point` [L], in which spheres move.")
       .def_static(
           "obstacle",
-          [](double radius, const py::object& point, const py::object& velocity,
+          [](double radius, const ArrayLike& point, const ArrayLike& velocity,
              std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
             return surface_of(Obstacle(radius), point, velocity, restitution, temperature, seed);
           },
@@ -271,7 +275,7 @@ void bind_surface(py::module_& module) {
 void bind_box(py::module_& module) {
   py::class_<Box>(module, "Box", doc::Box)
       .def(
-          py::init([](const py::object& boundary, const py::object& size, const py::object& faces,
+          py::init([](const Typed<"Sequence[str]">& boundary, const ArrayLike& size, const Faces& faces,
                       double shear_rate, double shear_offset) {
             const std::array<Boundary, kAxes> boundaries = boundaries_of(boundary);
             const Box box = with_faces({boundaries, vector_of(size, "size", kMayBeFlat)}, faces);
@@ -286,14 +290,14 @@ void bind_box(py::module_& module) {
           "image above is displaced along x at time zero; both axes must be periodic.")
       .def_static(
           "walls",
-          [](const py::object& size, const py::object& faces) {
+          [](const ArrayLike& size, const Faces& faces) {
             return with_faces(box_of(Boundary::wall, size, false), faces);
           },
           py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
           "A box with hard walls. `size` is the edge [L], or one length for each axis; `faces` as in Box.")
       .def_static(
           "periodic",
-          [](const py::object& size, double shear_rate, double shear_offset) {
+          [](const ArrayLike& size, double shear_rate, double shear_offset) {
             return sheared(box_of(Boundary::periodic, size, false), shear_rate, shear_offset);
           },
           py::arg("size"), py::kw_only(), py::arg("shear_rate") = 0.0, py::arg("shear_offset") = 0.0,
@@ -303,14 +307,14 @@ void bind_box(py::module_& module) {
       .def_static("open", &Box::open, "Unbounded space.")
       .def_static(
           "flat_walls",
-          [](const py::object& size, const py::object& faces) {
+          [](const ArrayLike& size, const Faces& faces) {
             return with_faces(box_of(Boundary::wall, size, true), faces);
           },
           py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
           "A box with hard walls in two dimensions: spheres are discs.")
       .def_static(
           "flat_periodic",
-          [](const py::object& size, double shear_rate, double shear_offset) {
+          [](const ArrayLike& size, double shear_rate, double shear_offset) {
             return sheared(box_of(Boundary::periodic, size, true), shear_rate, shear_offset);
           },
           py::arg("size"), py::kw_only(), py::arg("shear_rate") = 0.0, py::arg("shear_offset") = 0.0,
@@ -319,8 +323,8 @@ void bind_box(py::module_& module) {
       .def_property_readonly(
           "boundary",
           [](const Box& self) {
-            return py::make_tuple(name_of(self.boundary(0)), name_of(self.boundary(1)),
-                                  name_of(self.boundary(2)));
+            return std::tuple(name_of(self.boundary(0)), name_of(self.boundary(1)),
+                              name_of(self.boundary(2)));
           },
           doc::Boundary)
       .def_property_readonly(

@@ -50,9 +50,13 @@ class Documentation(unittest.TestCase):
         done = subprocess.run(command + options, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+    def test_signatures_name_types(self):
+        stub = Path(hardball.__file__).with_name("_hardball.pyi").read_text()
+        self.assertNotRegex(stub, r"def (?!_[a-z])\w+\(.*: object\b")
+
     def test_types_are_sound(self):
         command = [sys.executable, "-B", "-m", "mypy", "--config-file", ROOT / "pyproject.toml", "-p", "hardball"]
-        done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT / "python")
+        done = subprocess.run(command, capture_output=True, text=True, cwd=Path(hardball.__file__).parents[1])
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def run_page(self, page):
