@@ -119,7 +119,7 @@ def main():
     try:
         module = importlib.util.module_from_spec(specification)
     except ImportError as error:
-        print(f"the package has no stub for type checkers, as its module cannot be imported: {error}")
+        print(f"the package has no stub for type checkers, as its module cannot be imported: {error.__cause__ or error}")
         return
     stub.write_text(stub_of(module))
 
