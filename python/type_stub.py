@@ -31,7 +31,7 @@ __version__: str
 # What pybind11 writes, and what type checkers understand.
 TYPES = {
     r"hardball\._hardball\.": "",
-    r"numpy\.ndarray\[bool\]": "NDArray[numpy.bool_]",
+    r"numpy\.ndarray\[(numpy\.)?bool\]": "NDArray[numpy.bool_]",
     r"numpy\.ndarray\[": "NDArray[",
     r"numpy\.ndarray": "NDArray[Any]",
     r"\bos\.PathLike\b": "str | os.PathLike[str]",
