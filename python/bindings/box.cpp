@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "documentation.hpp"
 #include "hardball/errors/error.hpp"
@@ -17,11 +18,14 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/call_text.hpp"
 #include "python/bindings/pickling.hpp"
+#include "python/bindings/typed.hpp"
 
 namespace py = pybind11;
 
 namespace hardball::python {
 namespace {
+
+using Faces = Typed<"Mapping[str, Mapping[str, Any]] | None">;
 
 // A surface does not know of which box it will be.
 constexpr bool kMayBeFlat = true;
@@ -90,7 +94,7 @@ FaceProperties properties_of(const py::handle& given, const std::string& face) {
   return properties;
 }
 
-Box with_faces(Box box, const py::object& faces) {
+Box with_faces(Box box, const Faces& faces) {
   if (faces.is_none()) return box;
   if (!py::isinstance<py::dict>(faces)) {
     throw Error("it is not a dict", "faces", "give one such as {'z_min': {'temperature': 2.0}}");
@@ -103,7 +107,7 @@ Box with_faces(Box box, const py::object& faces) {
 }
 
 // What with_faces takes.
-py::dict faces_of(const Box& box) {
+Typed<"dict[str, dict[str, Any]]"> faces_of(const Box& box) {
   py::dict faces;
   for (Face face = 0; face < kFaces; ++face) {
     if (!box.has_own_properties(face)) continue;
@@ -179,33 +183,18 @@ Vec3 unit(const Vec3& direction) {
   return (1 / norm) * direction;
 }
 
-// Arguments of all surfaces, after those of their shapes.
-template <class... Extra>
-auto arguments_of_surface(const Extra&... extra) {
-  const py::tuple origin = py::make_tuple(0.0, 0.0, 0.0);
-  return std::tuple{py::arg("point") = origin,
-                    py::kw_only(),
-                    py::arg("velocity") = origin,
-                    extra...,
-                    py::arg("restitution") = py::none(),
-                    py::arg("temperature") = py::none(),
-                    py::arg("seed") = 0};
-}
-
 // What a value of a field is in Python: a vector, of any length where it is a direction, or a number.
 template <class Get>
-using Given = std::conditional_t<std::is_same_v<typename Field<Get>::Value, Vec3>, py::object, double>;
+using Given = std::conditional_t<std::is_same_v<typename Field<Get>::Value, Vec3>, ArrayLike, double>;
 
-template <class Value>
-Value given_as(const py::object& vector, std::string_view name) {
-  return unit(vector_of(vector, std::string(name), kMayBeFlat));
+Vec3 value_of(const ArrayLike& direction, std::string_view name) {
+  return unit(vector_of(direction, std::string(name), kMayBeFlat));
 }
-template <class Value>
-Value given_as(double number, std::string_view) {
+double value_of(double number, std::string_view) {
   return number;
 }
 
-Surface surface_of(const Shape& shape, const py::object& point, const py::object& velocity,
+Surface surface_of(const Shape& shape, const ArrayLike& point, const ArrayLike& velocity,
                    std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
   return Surface(shape, vector_of(point, "point", kMayBeFlat), vector_of(velocity, "velocity", kMayBeFlat),
                  {.restitution = restitution, .temperature = temperature, .seed = seed});
@@ -216,58 +205,60 @@ template <class S>
 std::string documentation_of() {
   std::string text(S::kMeaning);
   for_each_field<S>([&](const auto& field) {
-    text += " `" + std::string(field.name) + "`" +
-            (field.dimension.empty() ? "" : " [" + std::string(field.dimension) + "]") + ": " +
-            std::string(field.meaning) + ".";
+    const std::string unit = field.dimension.empty() ? "" : " [" + std::string(field.dimension) + "]";
+    text += " `" + std::string(field.name) + "`" + unit + ": " + std::string(field.meaning) + ".";
   });
   if constexpr (requires { S::kPoint; }) text += " `point` [L]: " + std::string(S::kPoint) + ".";
   return text;
 }
 
-// Surface.NAME(fields, point, *, velocity, ...), by which a surface of this shape is made.
+// Defines Surface.NAME(fields, point, *, velocity, extra, ...), by which a surface of this shape is made.
+template <class S>
+void define(py::class_<Surface>& surface, const auto& make, const std::string& remark, const auto&... extra) {
+  const py::tuple origin = py::make_tuple(0.0, 0.0, 0.0);
+  const auto with_fields = [&](const auto&... field) {
+    surface.def_static(S::kName.data(), make, py::arg(field.name.data())..., py::arg("point") = origin,
+                       py::kw_only(), py::arg("velocity") = origin, extra...,
+                       py::arg("restitution") = py::none(), py::arg("temperature") = py::none(),
+                       py::arg("seed") = 0, (documentation_of<S>() + remark).c_str());
+  };
+  std::apply(with_fields, S::fields());
+}
+
 template <class S>
 void bind_shape(py::class_<Surface>& surface) {
-  const std::string name(S::kName);
-  const auto define = [&]<class... Get>(const Field<Get>&... field) {
-    const auto with_arguments = [&](const auto& make, const auto& arguments,
-                                    const std::string& documentation) {
-      std::apply(
-          [&](const auto&... argument) {
-            surface.def_static(name.c_str(), make, py::arg(field.name.data())..., argument...,
-                               documentation.c_str());
-          },
-          arguments);
-    };
-    if constexpr (std::is_same_v<S, Plane>) {
-      with_arguments(
-          [](const py::object& normal, const py::object& point, const py::object& velocity, double amplitude,
-             double frequency, std::optional<double> restitution, std::optional<double> temperature,
-             std::uint64_t seed) {
-            const Plane plane(given_as<Vec3>(normal, "normal"));
-            return surface_of(oscillating(plane, amplitude, frequency), point, velocity, restitution,
-                              temperature, seed);
-          },
-          arguments_of_surface(py::arg("amplitude") = 0.0, py::arg("frequency") = 0.0),
-          documentation_of<S>() +
-              " It may move, or oscillate along the normal with `amplitude` [L] and `frequency` [1/T].");
-    } else {
-      with_arguments(
-          [field...](const Given<Get>&... given, const py::object& point, const py::object& velocity,
-                     std::optional<double> restitution, std::optional<double> temperature,
-                     std::uint64_t seed) {
-            return surface_of(S{given_as<typename Field<Get>::Value>(given, field.name)...}, point, velocity,
-                              restitution, temperature, seed);
-          },
-          arguments_of_surface(), documentation_of<S>());
-    }
+  const auto with_fields = [&]<class... Get>(const Field<Get>&... field) {
+    define<S>(
+        surface,
+        [field...](const Given<Get>&... given, const ArrayLike& point, const ArrayLike& velocity,
+                   std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
+          return surface_of(S{value_of(given, field.name)...}, point, velocity, restitution, temperature,
+                            seed);
+        },
+        "");
   };
-  std::apply(define, S::fields());
+  std::apply(with_fields, S::fields());
+}
+
+void bind_plane(py::class_<Surface>& surface) {
+  define<Plane>(
+      surface,
+      [](const ArrayLike& normal, const ArrayLike& point, const ArrayLike& velocity, double amplitude,
+         double frequency, std::optional<double> restitution, std::optional<double> temperature,
+         std::uint64_t seed) {
+        const Plane plane(value_of(normal, "normal"));
+        return surface_of(oscillating(plane, amplitude, frequency), point, velocity, restitution, temperature,
+                          seed);
+      },
+      " It may move, or oscillate along the normal with `amplitude` [L] and `frequency` [1/T].",
+      py::arg("amplitude") = 0.0, py::arg("frequency") = 0.0);
 }
 
 void bind_surface(py::module_& module) {
   py::class_<Surface> surface(module, "Surface", doc::Surface);
+  bind_plane(surface);
   for_each_shape([&]<class S>(std::type_identity<S>) {
-    if constexpr (!requires(S shape) { shape.rest(); }) bind_shape<S>(surface);
+    if constexpr (!requires(S shape) { shape.normal(); }) bind_shape<S>(surface);
   });
   surface.def_property_readonly("name", [](const Surface& self) { return std::string(self.name()); })
       .def_property_readonly(
@@ -283,7 +274,7 @@ void bind_surface(py::module_& module) {
 void bind_box(py::module_& module) {
   py::class_<Box>(module, "Box", doc::Box)
       .def(
-          py::init([](const py::object& boundary, const py::object& size, const py::object& faces,
+          py::init([](const Typed<"Sequence[str]">& boundary, const ArrayLike& size, const Faces& faces,
                       double shear_rate, double shear_offset) {
             const std::array<Boundary, kAxes> boundaries = boundaries_of(boundary);
             const Box box = with_faces({boundaries, vector_of(size, "size", kMayBeFlat)}, faces);
@@ -298,14 +289,14 @@ void bind_box(py::module_& module) {
           "image above is displaced along x at time zero; both axes must be periodic.")
       .def_static(
           "walls",
-          [](const py::object& size, const py::object& faces) {
+          [](const ArrayLike& size, const Faces& faces) {
             return with_faces(box_of(Boundary::wall, size, false), faces);
           },
           py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
           "A box with hard walls. `size` is the edge [L], or one length for each axis; `faces` as in Box.")
       .def_static(
           "periodic",
-          [](const py::object& size, double shear_rate, double shear_offset) {
+          [](const ArrayLike& size, double shear_rate, double shear_offset) {
             return sheared(box_of(Boundary::periodic, size, false), shear_rate, shear_offset);
           },
           py::arg("size"), py::kw_only(), py::arg("shear_rate") = 0.0, py::arg("shear_offset") = 0.0,
@@ -315,14 +306,14 @@ void bind_box(py::module_& module) {
       .def_static("open", &Box::open, "Unbounded space.")
       .def_static(
           "flat_walls",
-          [](const py::object& size, const py::object& faces) {
+          [](const ArrayLike& size, const Faces& faces) {
             return with_faces(box_of(Boundary::wall, size, true), faces);
           },
           py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
           "A box with hard walls in two dimensions: spheres are discs.")
       .def_static(
           "flat_periodic",
-          [](const py::object& size, double shear_rate, double shear_offset) {
+          [](const ArrayLike& size, double shear_rate, double shear_offset) {
             return sheared(box_of(Boundary::periodic, size, true), shear_rate, shear_offset);
           },
           py::arg("size"), py::kw_only(), py::arg("shear_rate") = 0.0, py::arg("shear_offset") = 0.0,
@@ -331,8 +322,8 @@ void bind_box(py::module_& module) {
       .def_property_readonly(
           "boundary",
           [](const Box& self) {
-            return py::make_tuple(name_of(self.boundary(0)), name_of(self.boundary(1)),
-                                  name_of(self.boundary(2)));
+            return std::tuple(name_of(self.boundary(0)), name_of(self.boundary(1)),
+                              name_of(self.boundary(2)));
           },
           doc::Boundary)
       .def_property_readonly(

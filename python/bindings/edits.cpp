@@ -15,6 +15,7 @@
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/simulation_class.hpp"
 #include "python/bindings/spheres.hpp"
+#include "python/bindings/typed.hpp"
 
 namespace py = pybind11;
 
@@ -26,7 +27,7 @@ void throw_if_interrupted(std::size_t count) {
   if (count % 256 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
-void set_velocities(PythonSimulation& self, const py::object& ids, const py::object& velocities) {
+void set_velocities(PythonSimulation& self, const ArrayLike& ids, const ArrayLike& velocities) {
   const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
   const bool is_flat = self.simulation().world().box().is_flat();
   const std::vector<Vec3> vectors = vectors_of(velocities, "velocities", is_flat, spheres.size());
@@ -37,19 +38,19 @@ void set_velocities(PythonSimulation& self, const py::object& ids, const py::obj
   self.change_velocities(edits);
 }
 
-void set_thermostat(PythonSimulation& self, const py::object& thermostat, std::uint64_t seed) {
+void set_thermostat(PythonSimulation& self, const OptionalThermostat& thermostat, std::uint64_t seed) {
   self.warn_of_edit("set_thermostat");
   self.set_thermostat(thermostat, seed);
 }
 
-void respond_with(PythonSimulation& self, const py::object& response) {
+void respond_with(PythonSimulation& self, const OptionalResponse& response) {
   self.warn_of_edit("respond_with");
   self.set_response(response);
 }
 
-py::object add(PythonSimulation& self, const py::object& position, const py::object& velocity,
-               const py::object& radius, const py::object& mass, const py::object& spin,
-               const py::object& species, const py::object& moment) {
+py::object add(PythonSimulation& self, const ArrayLike& position, const ArrayLike& velocity,
+               const ArrayLike& radius, const ArrayLike& mass, const ArrayLike& spin,
+               const ArrayLike& species, const OptionalArrayLike& moment) {
   const Doubles centers = doubles(position, "position");
   const bool is_one = centers.ndim() == 1;
   const py::object rows = is_one ? centers.attr("reshape")(1, centers.size()) : py::object(centers);
@@ -67,7 +68,7 @@ py::object add(PythonSimulation& self, const py::object& position, const py::obj
   return array_around(std::move(ids));
 }
 
-void remove(PythonSimulation& self, const py::object& ids) {
+void remove(PythonSimulation& self, const ArrayLike& ids) {
   const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
   self.check_spheres_may_change("remove");
   Simulation& simulation = self.simulation_to_edit();
@@ -137,7 +138,11 @@ void bind_edits(SimulationClass& simulation) {
            "each contact. Warns as set_velocity does.")
       .def("_set_response", &PythonSimulation::set_response)
       .def(
-          "on_contact", &PythonSimulation::set_listener, py::arg("listener"),
+          "on_contact",
+          [](PythonSimulation& self, const Typed<"Callable[[Contact], object] | None">& listener) {
+            self.set_listener(listener);
+          },
+          py::arg("listener"),
           "Sets a function that is called with the Contact after every collision and wall contact; None "
           "removes it. It may query and edit the simulation. If it raises, the run ends after that contact.");
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "documentation.hpp"
 #include "hardball/errors/error.hpp"
@@ -14,6 +15,7 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/call_text.hpp"
 #include "python/bindings/pickling.hpp"
+#include "python/bindings/typed.hpp"
 
 namespace py = pybind11;
 
@@ -86,7 +88,7 @@ void bind_measurements(py::module_& module) {
       .def(
           "__format__",
           [](const Quantity& self, const py::str& form) {
-            return py::module_::import("builtins").attr("format")(self.value, form);
+            return py::str(py::module_::import("builtins").attr("format")(self.value, form));
           },
           py::arg("form"))
       .def(pickled<Quantity>())
@@ -98,13 +100,18 @@ void bind_measurements(py::module_& module) {
       .def_readonly("title", &Measurement::title, doc::Measurement_title)
       .def_readonly("formula", &Measurement::formula, doc::Measurement_formula)
       .def_readonly("source", &Measurement::source, doc::Measurement_source)
-      .def_property_readonly("quantities", &quantities_of, "The measured numbers by their names.")
-      .def_property_readonly("columns", &columns_of,
-                             "The measured function as a table: arrays by their names. The first is the "
-                             "argument; errors and theory follow their values. May be empty.")
       .def_property_readonly(
-          "units",
-          [](const Measurement& self) {
+          "quantities",
+          [](const py::object& self) -> Typed<"dict[str, Quantity]"> { return quantities_of(self); },
+          "The measured numbers by their names.")
+      .def_property_readonly(
+          "columns", [](const py::object& self) -> Typed<"dict[str, NDArray[numpy.float64]]"> {
+            return columns_of(self);
+          },
+          "The measured function as a table: arrays by their names. The first is the "
+          "argument; errors and theory follow their values. May be empty.")
+      .def_property_readonly(
+          "units", [](const Measurement& self) -> Typed<"dict[str, str]"> {
             py::dict all;
             for (const Quantity& quantity : self.quantities) all[py::str(quantity.name)] = quantity.unit;
             for (const Column& column : self.columns) all[py::str(column.name)] = column.unit;
@@ -112,8 +119,7 @@ void bind_measurements(py::module_& module) {
           },
           "The units of quantities and columns: products of powers of L, T and M; '1' for pure numbers.")
       .def(
-          "to_frame",
-          [](const py::object& self) {
+          "to_frame", [](const py::object& self) -> Typed<"pandas.DataFrame"> {
             return py::module_::import("pandas").attr("DataFrame")(columns_of(self));
           },
           "The columns as a data frame; needs pandas.")
@@ -146,9 +152,8 @@ void bind_measurements(py::module_& module) {
   module.def(
       "measure_names",
       [] {
-        py::list all;
-        for (const std::string_view name : measure_names()) all.append(std::string(name));
-        return all;
+        const auto names = measure_names();
+        return std::vector<std::string>(names.begin(), names.end());
       },
       doc::measure_names);
 }

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "hardball/trajectory/trajectory.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/typed.hpp"
 #if HARDBALL_POLISH
 #include "apps/polish/polish.hpp"
 #endif
@@ -47,7 +49,7 @@ struct PythonPacking {
   PackingPlan plan;
 };
 
-py::array_t<ContactRow> contacts_of(const PythonPacking& self) {
+py::array contacts_of(const PythonPacking& self) {
   const std::vector<PackingContact>& contacts = self.packing.network.contacts;
   py::array_t<ContactRow> rows(static_cast<py::ssize_t>(contacts.size()));
   ContactRow* row = rows.mutable_data();
@@ -84,7 +86,7 @@ std::pair<py::array_t<double>, py::array_t<double>> wall_profile_of(const Python
   return {distances, fractions};
 }
 
-py::dict history_of(const PythonPacking& self) {
+Typed<"dict[str, NDArray[numpy.float64]]"> history_of(const PythonPacking& self) {
   std::vector<double> collisions;
   std::vector<double> fractions;
   std::vector<double> pressures;
@@ -142,10 +144,10 @@ PythonPacking pack(const PackingText& text, const std::vector<double>& radii, st
   return made;
 }
 
-PackingText text_of(const py::dict& parts) {
+PackingText text_of(const std::map<std::string, std::string>& parts) {
   PackingText text;
   const auto take = [&](std::optional<std::string>& part, const char* name) {
-    if (parts.contains(name)) part = parts[name].cast<std::string>();
+    if (const auto found = parts.find(name); found != parts.end()) part = found->second;
   };
   take(text.count, "count");
   take(text.diameter, "diameter");
@@ -220,8 +222,8 @@ void bind_packing(py::module_& module) {
           py::arg("file"));
   module.def(
       "_pack",
-      [](const py::dict& parts, const std::vector<double>& radii, std::size_t threads,
-         std::optional<double> limit,
+      [](const std::map<std::string, std::string>& parts, const std::vector<double>& radii,
+         std::size_t threads, std::optional<double> limit,
          bool polish) { return pack(text_of(parts), radii, threads, limit, polish); },
       py::arg("parts"), py::arg("radii"), py::arg("threads"), py::arg("limit"), py::arg("polish"));
 }

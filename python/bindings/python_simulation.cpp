@@ -186,7 +186,7 @@ py::object PythonSimulation::run(std::optional<double> end, std::optional<std::u
   return py::int_((simulation_.counters() - before).contacts());
 }
 
-py::object PythonSimulation::step(double end) {
+std::optional<Contact> PythonSimulation::step(double end) {
   check_idle("events");
   simulation_to_edit();
   const Claim claim(*this);
@@ -195,7 +195,7 @@ py::object PythonSimulation::step(double end) {
   listen();
   run_interruptibly({.until = Time(end), .contacts = 1});
   of_state_.clear();
-  return last_ ? py::cast(*last_) : py::none();
+  return last_;
 }
 
 std::optional<NextContact> PythonSimulation::next_event(double end) {

@@ -47,11 +47,13 @@ class PythonSimulation {
 
   /// What `make` returns, or has returned before for this name and the present state.
   template <class Make>
-  pybind11::object of_state(std::string_view name, Make&& make) {
+  auto of_state(std::string_view name, Make&& make) {
+    using Object = decltype(make());
     simulation();
     // Whatever Python does meanwhile, a reference into the map would not outlive.
-    if (const auto found = of_state_.find(name); found != of_state_.end()) return found->second;
-    pybind11::object object = make();
+    if (const auto found = of_state_.find(name); found != of_state_.end())
+      return pybind11::reinterpret_borrow<Object>(found->second);
+    Object object = make();
     of_state_[name] = object;
     return object;
   }
@@ -62,8 +64,8 @@ class PythonSimulation {
   pybind11::object run(std::optional<double> until, std::optional<std::uint64_t> collisions,
                        std::optional<std::uint64_t> contacts, bool record,
                        const pybind11::object& on_progress);
-  /// Runs to the next contact up to `until` [T] and returns it; None, at `until`, if there is none.
-  pybind11::object step(double until);
+  /// Runs to the next contact up to `until` [T] and returns it; nothing, at `until`, if there is none.
+  std::optional<Contact> step(double until);
   /// The next contact up to `until` [T], without carrying it out. Error: KeyboardInterrupt, too.
   std::optional<NextContact> next_event(double until);
   /// See Simulation::first_contact, and Simulation::ray.

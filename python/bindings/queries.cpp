@@ -13,6 +13,7 @@
 #include "hardball/errors/error.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/simulation_class.hpp"
+#include "python/bindings/typed.hpp"
 
 namespace py = pybind11;
 
@@ -24,8 +25,8 @@ std::string body_text(const Found& found) {
   return (found.kind == EventKind::collision ? "sphere " : "wall ") + std::to_string(found.body);
 }
 
-const char* kind_name(EventKind kind) {
-  return kind == EventKind::collision ? "collision" : "wall";
+BodyKind kind_name(EventKind kind) {
+  return py::str(kind == EventKind::collision ? "collision" : "wall");
 }
 
 bool is_flat(const PythonSimulation& self) {
@@ -94,21 +95,20 @@ void bind_queries(SimulationClass& simulation) {
           py::arg("duration"), py::arg("most") = py::none(), doc::Simulation_contacts_within)
       .def(
           "first_contact",
-          [](const PythonSimulation& self, SphereId id, const py::object& velocity, double until) {
+          [](const PythonSimulation& self, SphereId id, const ArrayLike& velocity, double until) {
             return self.first_contact(id, vector_of(velocity, "velocity", is_flat(self)), until);
           },
           py::arg("id"), py::arg("velocity"), py::arg("until"), doc::first_contact)
       .def(
           "ray",
-          [](const PythonSimulation& self, const py::object& origin, const py::object& direction,
-             double most) {
+          [](const PythonSimulation& self, const ArrayLike& origin, const ArrayLike& direction, double most) {
             return self.ray(vector_of(origin, "origin", is_flat(self)),
                             vector_of(direction, "direction", is_flat(self)), most);
           },
           py::arg("origin"), py::arg("direction"), py::arg("most"), doc::ray)
       .def(
           "clearance",
-          [](const PythonSimulation& self, const py::object& of) {
+          [](const PythonSimulation& self, const Typed<"int | ArrayLike">& of) {
             if (PyIndex_Check(of.ptr()) != 0 && !py::hasattr(of, "__len__")) {
               return self.simulation().clearance(counts_of(of, "of", kNoSphere).front());
             }

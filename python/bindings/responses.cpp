@@ -17,6 +17,7 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/call_text.hpp"
 #include "python/bindings/pickling.hpp"
+#include "python/bindings/typed.hpp"
 
 namespace py = pybind11;
 
@@ -37,7 +38,7 @@ RestitutionLaw law_of(const py::handle& object) {
   return ConstantRestitution{*number.data()};
 }
 
-TabulatedRestitution tabulated(const py::object& speeds, const py::object& values) {
+TabulatedRestitution tabulated(const ArrayLike& speeds, const ArrayLike& values) {
   const Doubles abscissae = doubles(speeds, "speeds");
   const std::vector<double> at_speeds =
       numbers_of(values, "values", static_cast<std::size_t>(abscissae.size()));
@@ -68,8 +69,8 @@ Rule rule_of(const py::handle& object) {
               "give one of these or a coefficient of restitution");
 }
 
-py::tuple pair_of(const Vec3& first, const Vec3& second) {
-  return py::make_tuple(array_of(first), array_of(second));
+std::pair<py::array_t<double>, py::array_t<double>> pair_of(const Vec3& first, const Vec3& second) {
+  return {array_of(first), array_of(second)};
 }
 
 // Only in a flat box, as a rule, is nothing along z.
@@ -155,13 +156,14 @@ void bind_contact(py::module_& module) {
     return [member](const Contact& self) { return pair_of((self.*member).first, (self.*member).second); };
   };
   const auto both = [](auto first, auto second) {
-    return [first, second](const Contact& self) { return py::make_tuple(self.*first, self.*second); };
+    return [first, second](const Contact& self) { return std::pair(self.*first, self.*second); };
   };
   py::class_<Contact>(module, "Contact", doc::Contact)
       .def_property_readonly(
           "time", [](const Contact& self) { return self.time.value(); }, "[T]")
       .def_property_readonly(
-          "kind", [](const Contact& self) { return self.is_collision() ? "collision" : "wall"; },
+          "kind",
+          [](const Contact& self) -> BodyKind { return py::str(self.is_collision() ? "collision" : "wall"); },
           "'collision' or 'wall'.")
       .def_readonly("first", &Contact::first, doc::Contact_first)
       .def_readonly("second", &Contact::second, doc::Contact_second)
@@ -193,7 +195,9 @@ void bind_contact(py::module_& module) {
           "The angular velocities of both bodies before the contact [1/T]; zero for a wall.")
       .def_property_readonly("spins_after", vectors(&Contact::spins_after), doc::Contact_spins_after)
       .def_property_readonly(
-          "outcome", [](const Contact& self) { return kOutcomes[static_cast<std::size_t>(self.outcome)]; },
+          "outcome", [](const Contact& self) -> Typed<"Literal['bounce', 'pass', 'merge']"> {
+            return py::str(kOutcomes[static_cast<std::size_t>(self.outcome)]);
+          },
           "'bounce', 'pass' or 'merge'.")
       .def_property_readonly(
           "step",
@@ -211,8 +215,8 @@ void bind_contact(py::module_& module) {
                std::to_string(self.second) + ">";
       });
   py::class_<Outcome>(module, "Outcome", doc::Outcome)
-      .def(py::init([](const Contact& contact, const py::object& velocities, const py::object& spins,
-                       bool merges) {
+      .def(py::init([](const Contact& contact, const Typed<"Sequence[ArrayLike]">& velocities,
+                       const Typed<"Sequence[ArrayLike] | None">& spins, bool merges) {
              const auto [first, second] = vectors_of_both(contact, velocities, "velocities");
              Outcome outcome(contact, {first, second});
              if (!spins.is_none()) {
@@ -265,8 +269,9 @@ void bind_responses(py::module_& module) {
            "The coefficient of restitution at an impact speed [L/T].")
       .def("__repr__", [](const TabulatedRestitution& self) { return text_of(self); });
   py::class_<Bounce>(module, "Bounce", doc::Bounce)
-      .def(py::init([](const py::object& restitution, double elastic_below, double contact_duration,
-                       double settle_under, std::optional<double> tangential_restitution) {
+      .def(py::init([](const Typed<"float | ViscoelasticRestitution | TabulatedRestitution">& restitution,
+                       double elastic_below, double contact_duration, double settle_under,
+                       std::optional<double> tangential_restitution) {
              return Bounce({.restitution = law_of(restitution),
                             .elastic_below = elastic_below,
                             .contact_duration = contact_duration,
@@ -288,7 +293,7 @@ void bind_responses(py::module_& module) {
       .def(pickled<Merging>())
       .def("__repr__", [](const Merging& self) { return text_of(self); });
   py::class_<ResponseTable>(module, "ResponseTable", doc::ResponseTable)
-      .def(py::init([](const py::object& spheres, const py::object& walls) {
+      .def(py::init([](const Typed<"AnyBounce | Merging">& spheres, const AnyBounce& walls) {
              return ResponseTable(rule_of(spheres), bounce_of(walls));
            }),
            py::arg("spheres") = 1.0, py::arg("walls") = 1.0,
@@ -296,13 +301,13 @@ void bind_responses(py::module_& module) {
            "of restitution is a Bounce.")
       .def(
           "set",
-          [](ResponseTable& self, SpeciesId a, SpeciesId b, const py::object& rule) {
+          [](ResponseTable& self, SpeciesId a, SpeciesId b, const Typed<"AnyBounce | Merging">& rule) {
             self.set(a, b, rule_of(rule));
           },
           py::arg("first"), py::arg("second"), py::arg("rule"), "Sets the response of two species.")
       .def(
           "set_wall",
-          [](ResponseTable& self, SpeciesId species, const py::object& bounce) {
+          [](ResponseTable& self, SpeciesId species, const AnyBounce& bounce) {
             self.set_wall(species, bounce_of(bounce));
           },
           py::arg("species"), py::arg("bounce"), doc::ResponseTable_set_wall)

@@ -21,6 +21,7 @@
 #include "hardball/simulation/simulation_checkpoint.hpp"
 #include "python/bindings/processes.hpp"
 #include "python/bindings/simulation_class.hpp"
+#include "python/bindings/typed.hpp"
 
 namespace py = pybind11;
 
@@ -104,10 +105,11 @@ void bind_saving(SimulationClass& simulation) {
                     return loaded_file(path, processes_or_one(processes));
                   })
       .def("_copy", [](const PythonSimulation& self) { return PythonSimulation(self); })
-      .def_property_readonly("_response", [](const PythonSimulation& self) -> py::object {
-        self.simulation();
-        return self.response() ? self.response()->function() : py::none();
-      });
+      .def_property_readonly(
+          "_response", [](const PythonSimulation& self) -> Typed<"Callable[..., Any] | None"> {
+            self.simulation();
+            return self.response() ? self.response()->function() : py::none();
+          });
 }
 
 }  // namespace hardball::python

@@ -5,11 +5,11 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,6 +29,7 @@
 #include "python/bindings/responses.hpp"
 #include "python/bindings/simulation_class.hpp"
 #include "python/bindings/spheres.hpp"
+#include "python/bindings/typed.hpp"
 
 namespace py = pybind11;
 
@@ -72,12 +73,13 @@ StepTable step_table_of(const py::object& object) {
 }
 
 std::unique_ptr<PythonSimulation> make_simulation(
-    const Box& box, const py::object& positions, const py::object& velocities, const py::object& radius,
-    const py::object& mass, const py::object& spin, const py::object& species, const py::object& moment,
-    const py::object& gravity, std::vector<Surface> surfaces,
-    const std::vector<std::pair<SpeciesId, SpeciesId>>& passing, const py::object& steps,
-    const std::vector<std::array<std::uint32_t, 3>>& bonds, const py::object& response,
-    const py::object& thermostat, std::uint64_t seed, const std::string& engine,
+    const Box& box, const ArrayLike& positions, const ArrayLike& velocities, const ArrayLike& radius,
+    const ArrayLike& mass, const ArrayLike& spin, const ArrayLike& species, const OptionalArrayLike& moment,
+    const ArrayLike& gravity, std::vector<Surface> surfaces,
+    const std::vector<std::pair<SpeciesId, SpeciesId>>& passing,
+    const Typed<"StepTable | StepPotential | None">& steps,
+    const std::vector<std::tuple<SphereId, SphereId, std::uint32_t>>& bonds, const OptionalResponse& response,
+    const OptionalThermostat& thermostat, std::uint64_t seed, const std::string& engine,
     std::optional<double> cell_edge, Processes* processes) {
   World world(box, vector_of(gravity, "gravity", box.is_flat()), std::move(surfaces));
   const std::vector<Sphere> spheres =
@@ -182,9 +184,9 @@ void bind_simulation(py::module_& module) {
            py::arg("spin") = zero, py::arg("species") = 0, py::arg("moment") = py::none(),
            py::arg("gravity") = zero, py::arg("surfaces") = std::vector<Surface>(),
            py::arg("passing") = std::vector<std::pair<SpeciesId, SpeciesId>>(), py::arg("steps") = py::none(),
-           py::arg("bonds") = std::vector<std::array<std::uint32_t, 3>>(), py::arg("response") = py::none(),
-           py::arg("thermostat") = py::none(), py::arg("seed") = 1, py::arg("engine") = "auto",
-           py::arg("cell_edge") = py::none(), py::arg("processes") = py::none())
+           py::arg("bonds") = std::vector<std::tuple<SphereId, SphereId, std::uint32_t>>(),
+           py::arg("response") = py::none(), py::arg("thermostat") = py::none(), py::arg("seed") = 1,
+           py::arg("engine") = "auto", py::arg("cell_edge") = py::none(), py::arg("processes") = py::none())
       // Subclasses are made of what the functions below return.
       .def(py::init(
           [](PythonSimulation& made) { return std::make_unique<PythonSimulation>(std::move(made)); }))

@@ -7,6 +7,7 @@
 #include <optional>
 #include <ranges>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -24,6 +25,7 @@
 #include "hardball/world/walls.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/simulation_class.hpp"
+#include "python/bindings/typed.hpp"
 
 namespace py = pybind11;
 
@@ -32,7 +34,7 @@ namespace {
 
 // value(slot) for all spheres, in the order of ids.
 template <class Value>
-py::object by_id(const World& world, Value&& value) {
+auto by_id(const World& world, Value&& value) {
   std::vector<std::remove_cvref_t<decltype(value(Slot{}))>> values;
   values.reserve(world.size());
   world.for_each_by_id([&](Slot slot) { values.push_back(value(slot)); });
@@ -47,7 +49,7 @@ std::size_t index_of(const World& world, SphereId id) {
   return *std::ranges::lower_bound(ranks, id, {}, id_of);
 }
 
-py::object indices_of(const PythonSimulation& self, const py::object& ids) {
+py::object indices_of(const PythonSimulation& self, const ArrayLike& ids) {
   const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
   const bool is_one = doubles(ids, "ids").ndim() == 0;
   const World& world = self.simulation().world();
@@ -167,9 +169,9 @@ void bind_numbers(SimulationClass& simulation) {
   number(
       "bonds",
       [](const Simulation& self) {
-        py::list bonds;
+        std::vector<std::tuple<SphereId, SphereId, int>> bonds;
         for (const Bond& bond : bonds_of(self.world()))
-          bonds.append(py::make_tuple(bond.first, bond.second, bond.potential));
+          bonds.emplace_back(bond.first, bond.second, bond.potential);
         return bonds;
       },
       "The spheres that are tied together, as they were given: two ids and the number of a potential for "
@@ -209,8 +211,7 @@ void bind_state(SimulationClass& simulation) {
                              "The evidence that the run is sound: hash, conserved quantities, and the "
                              "deepest overlap of two bodies so far, in diameters. Cost: O(n).")
       .def(
-          "results",
-          [](const PythonSimulation& self) {
+          "results", [](const PythonSimulation& self) -> Typed<"dict[str, Measurement]"> {
             py::dict all;
             for (Measurement& measurement : self.results()) {
               const py::str name(measurement.name);
@@ -228,8 +229,7 @@ void bind_state(SimulationClass& simulation) {
           "thermostat",
           [](const PythonSimulation& self) {
             const std::optional<Thermostat>& thermostat = self.simulation().thermostat();
-            if (!thermostat) return py::object(py::none());
-            return std::visit([](const auto& kind) { return py::cast(kind); }, thermostat->kind());
+            return thermostat ? std::optional(thermostat->kind()) : std::nullopt;
           },
           "The Andersen, Rescale or Heating in use, or None.")
       .def_property_readonly(

@@ -75,7 +75,7 @@ def _what_is_wrong(function: Callable[..., Any], title: str, arguments: Any, opt
     has_self = f"{function.__name__}(self: " in (function.__doc__ or "")
     given = arguments[1:] if has_self else arguments
     numbers = [argument for argument in given if isinstance(argument, Real)]
-    if "object" in positional and len(given) > positional.count(":") and len(numbers) > 1:
+    if "ArrayLike" in positional and len(given) > positional.count(":") and len(numbers) > 1:
         listed = f"[{', '.join(str(number) for number in numbers)}]"
         call = function.__name__ if has_self and "." in title else f"hardball.{title}"
         example = f", as in {call}({listed})" if len(numbers) == len(given) else f": {listed}"

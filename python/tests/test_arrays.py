@@ -248,10 +248,10 @@ class Calls(unittest.TestCase):
         simulation = gas()
         for call, message in [
             (lambda: hardball.Andersen("hot", 1), "it takes (temperature: float, rate: float)"),
-            (lambda: hardball.Box.walls(), "Box.walls: these arguments do not fit; it takes (size: object, *, faces: object = None)"),
+            (lambda: hardball.Box.walls(), "Box.walls: these arguments do not fit; it takes (size: ArrayLike, *, faces: "),
             (lambda: simulation.contacts_within("long"), "it takes (duration: float, most: Optional[int] = None)"),
             (lambda: "7" in simulation, "it takes (id: int)"),
-            (lambda: simulation.first_contact(0.5, [0, 0, 0], 1), "it takes (id: int, velocity: object, until: float)"),
+            (lambda: simulation.first_contact(0.5, [0, 0, 0], 1), "it takes (id: int, velocity: ArrayLike, until: float)"),
         ]:
             with self.assertRaises(hardball.ArgumentError) as caught:
                 call()

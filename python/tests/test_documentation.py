@@ -50,10 +50,20 @@ class Documentation(unittest.TestCase):
         done = subprocess.run(command + options, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+    def test_signatures_name_types(self):
+        stub = Path(hardball.__file__).with_name("_hardball.pyi").read_text()
+        self.assertNotRegex(stub, r"def (?!_[a-z])\w+\(.*: object\b")
+
     def test_types_are_sound(self):
-        command = [sys.executable, "-B", "-m", "mypy", "--config-file", ROOT / "pyproject.toml", "-p", "hardball"]
-        done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT / "python")
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        calls = """import hardball
+            hardball.Box.walls([1, 2, 3], faces={"z_min": {"temperature": 2}})
+            hardball.Packing(hardball.pack(9)).write("packing.xyz")
+            hardball.Simulation(hardball.Box.open(), positions=[], processes=None).next_event()
+            hardball.StepPotential(((1.5, -1),))"""
+        for checked in (["-p", "hardball"], ["-c", calls.replace("    ", "")]):
+            command = [sys.executable, "-B", "-m", "mypy", "--config-file", ROOT / "pyproject.toml", *checked]
+            done = subprocess.run(command, capture_output=True, text=True, cwd=Path(hardball.__file__).parents[1])
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def run_page(self, page):
         """Runs the examples of a page, one after the other, and returns what they print."""
