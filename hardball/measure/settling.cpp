@@ -197,7 +197,6 @@ void Settling::sample(const Scene& scene) {
 Settled Settling::found(const Scene& scene) const {
   constexpr std::size_t kLeastBlocks = 8;
   constexpr double kForgotten = 0.05;
-  using Means = std::span<const double>;
   const std::span<const double> ends = history_.ends();
   const auto history_of = [&](std::size_t bin) {
     return history_.history([bin](Means means) { return means[bin]; });
@@ -231,7 +230,7 @@ Settled Settling::found(const Scene& scene) const {
 // Says whether the temperature settles, and when.
 void Settling::judge_temperature(const Scene& scene, Settled& found) const {
   constexpr double kFarFromStart = 4;
-  const FunctionOfMeans temperature = [](std::span<const double> means) { return means[kTemperature]; };
+  const FunctionOfMeans temperature = [](Means means) { return means[kTemperature]; };
   const Transient transient = find_transient(history_, std::array{temperature});
   found.is_steady = transient.is_over && !is_drifting(temperature, scene.thermal_motion());
   // A transient that may be chance is left to each measure.

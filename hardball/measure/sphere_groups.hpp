@@ -33,7 +33,7 @@ inline Estimate mean_speed(const BlockAverage& average, std::size_t speed, std::
                            std::size_t spheres, bool is_energy_fixed) {
   const double mean_square = average.ratio(square, spheres).value;
   return average.estimate(
-      [=](std::span<const double> means) {
+      [=](Means means) {
         return means[speed] / means[spheres] * std::sqrt(mean_square * means[spheres] / means[square]);
       },
       is_energy_fixed ? BlockAverage::Groups::exchanging : BlockAverage::Groups::none);
