@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
 #include "hardball/interaction/contact.hpp"
 #include "hardball/measure/result.hpp"

@@ -4,8 +4,6 @@
 
 #include <functional>
 #include <optional>
-#include <span>
-#include <string>
 #include <string_view>
 
 #include "hardball/measure/result.hpp"

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 #include "hardball/statistics/block_average.hpp"
 
