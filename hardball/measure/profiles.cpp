@@ -171,20 +171,15 @@ void DensityProfiles::sample(const Scene& scene) {
 
 void DensityProfiles::add_results(const Scene& scene, Measurement& found) const {
   if (most_bins_ == 0) return;
-  Transient transient;
-  if (walled_axes(box_) > 0) {
-    transient = find_transient(average_, std::array{mean_of(first_at_walls())}, scene.settled());
-  }
-  transient.note_in(found);
-  const BlockAverage average = transient.left_out_of(average_);
+  const bool has_walls = walled_axes(box_) > 0;
+  const BlockAverage average =
+      has_walls ? without_transient(average_, std::array{mean_of(first_at_walls())}, scene, found) : average_;
   const auto add_at_walls = [&](const char* name, const char* unit, std::size_t bin) {
     require_not_negative(found.add(name, unit, average.ratio(first_at_walls() + bin)));
   };
-  if (walled_axes(box_) > 0) add_at_walls("density_at_walls", number_density_unit(box_), 0);
+  if (has_walls) add_at_walls("density_at_walls", number_density_unit(box_), 0);
   // Between other faces the spheres at a wall may have another temperature than the rest.
-  if (walled_axes(box_) > 0 && box_.has_plain_faces()) {
-    add_at_walls("pressure_at_walls", pressure_unit(box_), 1);
-  }
+  if (has_walls && box_.has_plain_faces()) add_at_walls("pressure_at_walls", pressure_unit(box_), 1);
   found.add_argument("position", "L", bin_middles(0, bin_width_, most_bins_));
   for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
     const auto add = [&](const std::string& name, const char* unit, const auto& in_slab) {

@@ -335,11 +335,10 @@ void SelfDiffusion::add_results(const Scene& scene, Measurement& found) const {
                    .theory = expected,
                    .tolerance = FluidTheory::kDiffusionTolerance * expected},
                   theory.enskog_diffusion(temperature));
-  const Quantity constant = found.quantities.front();
   const Vec3& size = scene.world().box().size();
   const double missing = theory.diffusion_missing(temperature);
   if (size.x == size.y && size.y == size.z && !std::isnan(missing)) {
-    Quantity infinite = constant;
+    Quantity infinite = found.quantities.front();
     infinite.name = "diffusion_constant_of_infinite_system";
     infinite.value += missing;
     infinite.theory += missing;

@@ -32,7 +32,7 @@ inline constexpr const char* kSourceOfTransport =
     "Helfand, Phys. Rev. 119 (1960) 1; Alder, Gass and Wainwright, J. Chem. Phys. 53 (1970) 3813; Enskog: "
     "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, chapter 16";
 
-/// By the number of the coefficient.
+/// The definitions of transport coefficients, by the number of the coefficient.
 inline constexpr std::array<Definition, 4> kCoefficientDefinitions{{
     {.title = "Viscosity",
      .formula =
