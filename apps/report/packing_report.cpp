@@ -160,7 +160,7 @@ template <class Measure>
 std::string structure(const Scene& scene) {
   Measure measure(scene);
   measure.sample(scene);
-  const Measurement found = measure.result(scene);
+  const Measurement found = result_of(measure, scene);
   std::string html;
   std::size_t number = 0;
   for (const Chart& chart : charts_of(found))

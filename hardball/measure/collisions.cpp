@@ -9,12 +9,9 @@
 #include <numbers>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "hardball/measure/reasons.hpp"
 #include "hardball/numbers/no_number.hpp"
-#include "hardball/statistics/qualification.hpp"
-#include "hardball/statistics/transient.hpp"
 #include "hardball/world/images.hpp"
 
 namespace hardball {
@@ -107,23 +104,14 @@ void CollisionRate::sample(const Scene& scene) {
   speed_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement CollisionRate::result(const Scene& scene) const {
-  Measurement found{.name = std::string(kName),
-                    .title = "Collision rate",
-                    .formula =
-                        R"($\omega = 2 c / (N t)$ of $c$ collisions; mean free time $1 / \omega$, path )"
-                        R"($\langle v \rangle / \omega$; theory: $\omega = \frac{2 d}{\sqrt{\pi}} (Z - 1) )"
-                        R"(\frac{1}{\sigma} \sqrt{kT / m}$ for diameters $\sigma$ in $d$ dimensions)",
-                    .source =
-                        "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, sections 5.2 "
-                        "and 16.2"};
+void CollisionRate::add_results(const Scene& scene, Measurement& found) const {
   CollisionRate up_to_now = *this;
   up_to_now.advance(scene.now());
   const BlockAverage& whole = up_to_now.contacts_;
-  using Means = std::span<const double>;
   const FunctionOfMeans rate = [&](Means means) { return 2 * means[kCollisions] / spheres_; };
   const FunctionOfMeans wall_rate = [&](Means means) { return means[kWalls] / spheres_; };
   const Transient transient = find_transient(whole, std::array{rate}, scene.settled());
+  transient.note_in(found);
   const BlockAverage contacts = transient.left_out_of(whole);
   const BlockAverage speeds = transient.left_out_of(speed_);
   const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
@@ -138,8 +126,8 @@ Measurement CollisionRate::result(const Scene& scene) const {
     add(std::move(name), "T^-1", estimate, theory);
     return estimate;
   };
-  found.add("collisions", "1", {whole.total(kCollisions)}).reason = kCount;
-  if (has_walls_) found.add("wall_contacts", "1", {whole.total(kWalls)}).reason = kCount;
+  found.add("collisions", "1", Estimate{whole.total(kCollisions)}).reason = kCount;
+  if (has_walls_) found.add("wall_contacts", "1", Estimate{whole.total(kWalls)}).reason = kCount;
   const Estimate per_time = add_rate("collision_rate", kCollisions, 2 / spheres_, expected);
   // Without a collision there is no mean free time; from a few it is poorly known, as a reciprocal is not
   // symmetric.
@@ -162,13 +150,9 @@ Measurement CollisionRate::result(const Scene& scene) const {
     }
   }
   found.add_argument("time", "T", whole.middles(begin_.value()));
-  found.add_values("collision_rate", "T^-1", whole.history(rate));
-  if (has_walls_) found.add_values("wall_rate", "T^-1", whole.history(wall_rate));
-  transient.note_in(found);
-  if (theory_.is_ideal()) {
-    for (Quantity& quantity : found.quantities) leave_open(quantity, kVelocitiesOfTheStart);
-  }
-  return found;
+  found.add("collision_rate", "T^-1", whole.history(rate));
+  if (has_walls_) found.add("wall_rate", "T^-1", whole.history(wall_rate));
+  if (theory_.is_ideal() && transient.is_over) leave_quantities_open(found, kVelocitiesOfTheStart);
 }
 
 ImpactSpeeds::ImpactSpeeds(const Scene& scene)
@@ -190,19 +174,9 @@ void ImpactSpeeds::record(const Contact& contact) {
   average_.close_sample(duration(begin_, contact.time));
 }
 
-Measurement ImpactSpeeds::result(const Scene& scene) const {
-  Measurement found{.name = std::string(kName),
-                    .title = "Impact speeds",
-                    .formula =
-                        R"($p(u)$ of the speed $u$ at which two surfaces touch; theory: Rayleigh's )"
-                        R"(distribution, $\frac{m}{2kT} \, u \, e^{-m u^2 / 4kT}$ for equal masses, mean )"
-                        R"($\sqrt{\pi kT / m}$, mean square $4kT / m$; exact for a fixed energy)",
-                    .source =
-                        "Kinetic theory: pairs collide in proportion to their normal relative speed; "
-                        "docs/measures.md"};
+void ImpactSpeeds::add_results(const Scene& scene, Measurement& found) const {
   const MeetingSpeed theory(motion_);
-  const Transient transient = find_transient(average_, std::array{mean_of(kSpeed)}, scene.settled());
-  const BlockAverage average = transient.left_out_of(average_);
+  const BlockAverage average = without_transient(average_, std::array{mean_of(kSpeed)}, scene, found);
   // The sum over pairs of species, weighted by their collisions, of a function of their reduced mass.
   const bool is_equilibrium = scene.has_equilibrium(motion_);
   const auto over_pairs = [&](const auto& of_mass) {
@@ -219,26 +193,19 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
             over_pairs([&](double mass) { return theory.mean() / std::sqrt(mass); }));
   found.add("mean_square_impact_speed", "L^2 T^-2", average.ratio(kSpeedSquare),
             over_pairs([&](double mass) { return theory.mean_square() / mass; }));
-  std::vector<Estimate> densities = average.histogram(0, kBins);
-  std::vector<double> speeds;
-  std::vector<double> expected;
-  for (std::size_t bin = 0; bin < kBins; ++bin) {
-    const double low = static_cast<double>(bin) * width_;
-    const double high = static_cast<double>(bin + 1) * width_;
-    speeds.push_back((low + high) / 2);
-    densities[bin] = densities[bin] / width_;
-    expected.push_back(over_pairs([&](double mass) {
-      return (theory.below(high * std::sqrt(mass)) - theory.below(low * std::sqrt(mass))) / width_;
-    }));
+  const auto edge = [this](std::size_t bin) { return static_cast<double>(bin) * width_; };
+  found.add_argument("impact_speed", "L T^-1",
+                     tabulated(kBins, [&](std::size_t bin) { return (edge(bin) + edge(bin + 1)) / 2; }));
+  found.add("probability_density", "L^-1 T", average.histogram(0, kBins) / width_,
+            tabulated(kBins, [&](std::size_t bin) {
+              return over_pairs([&](double mass) {
+                const auto below = [&](double speed) { return theory.below(speed * std::sqrt(mass)); };
+                return (below(edge(bin + 1)) - below(edge(bin))) / width_;
+              });
+            }));
+  if (scene.fluid().is_ideal() && found.is_transient_over) {
+    leave_quantities_open(found, kVelocitiesOfTheStart);
   }
-  found.add_argument("impact_speed", "L T^-1", std::move(speeds));
-  found.add_estimates("probability_density", "L^-1 T", densities);
-  found.add_theory(std::move(expected));
-  transient.note_in(found);
-  if (scene.fluid().is_ideal()) {
-    for (Quantity& quantity : found.quantities) leave_open(quantity, kVelocitiesOfTheStart);
-  }
-  return found;
 }
 
 }  // namespace hardball

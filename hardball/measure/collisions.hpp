@@ -3,13 +3,10 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/scene.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/statistics/block_average.hpp"
-#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
@@ -21,6 +18,12 @@ namespace hardball {
 class CollisionRate {
  public:
   static constexpr std::string_view kName = "collision_rate";
+  static constexpr Definition kDefinition{
+      .title = "Collision rate",
+      .formula = R"($\omega = 2 c / (N t)$ of $c$ collisions; mean free time $1 / \omega$, path $\langle v )"
+                 R"(\rangle / \omega$; theory: $\omega = \frac{2 d}{\sqrt{\pi}} (Z - 1) \frac{1}{\sigma} )"
+                 R"(\sqrt{kT / m}$ for diameters $\sigma$ in $d$ dimensions)",
+      .source = "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, sections 5.2 and 16.2"};
 
   explicit CollisionRate(const Scene& scene);
 
@@ -31,8 +34,8 @@ class CollisionRate {
   /// Samples the speeds, from which the mean free path follows. Cost: O(n).
   void sample(const Scene& scene);
   void halve_weights() { speed_.halve_weights(); }
-  /// The result up to the time of the scene.
-  Measurement result(const Scene& scene) const;
+  /// Adds the results up to the time of the scene.
+  void add_results(const Scene& scene, Measurement& found) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const { return species_.matches(world); }
@@ -73,13 +76,21 @@ class CollisionRate {
 class ImpactSpeeds {
  public:
   static constexpr std::string_view kName = "impact_speeds";
+  static constexpr Definition kDefinition{
+      .title = "Impact speeds",
+      .formula =
+          R"($p(u)$ of the speed $u$ at which two surfaces touch; theory: Rayleigh's distribution, )"
+          R"($\frac{m}{2kT} \, u \, e^{-m u^2 / 4kT}$ for equal masses, mean $\sqrt{\pi kT / m}$, mean )"
+          R"(square $4kT / m$; exact for a fixed energy)",
+      .source =
+          "Kinetic theory: pairs collide in proportion to their normal relative speed; docs/measures.md"};
 
   explicit ImpactSpeeds(const Scene& scene);
 
   /// Cost: O(1).
   void record(const Contact& contact);
-  /// The result up to the time of the scene.
-  Measurement result(const Scene& scene) const;
+  /// Adds the results up to the time of the scene.
+  void add_results(const Scene& scene, Measurement& found) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const { return species_.matches(world); }

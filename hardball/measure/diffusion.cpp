@@ -8,12 +8,10 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hardball/measure/reasons.hpp"
 #include "hardball/numbers/no_number.hpp"
-#include "hardball/statistics/qualification.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
@@ -40,10 +38,6 @@ void add_products(std::span<const Vec3> earlier, std::span<const Vec3> later, do
     sums[kIntegral] += dot(earlier[i] + later[i], later[i + 1] - earlier[i + 1]) / 2;
   }
 }
-
-constexpr const char* kSourceOfDiffusion =
-    "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. Phys. 62 (1987) 509; "
-    "Enskog: Chapman and Cowling, section 16.3";
 
 // The diffusion constant read from means over lags, and where.
 struct Diffusion {
@@ -86,10 +80,9 @@ Diffusion read_diffusion(const TimeCorrelation& average, std::size_t species, do
     const std::optional<FunctionOfMeans> earlier = up_to(*half);
     if (!later || !earlier) continue;
     Estimate constant = average.estimate(species, *later);
-    constant.error =
-        std::hypot(constant.error, remainder(average.estimate(species, [&](std::span<const double> means) {
-                     return (*later)(means) - (*earlier)(means);
-                   })));
+    constant.error = std::hypot(constant.error, remainder(average.estimate(species, [&](Means means) {
+                                  return (*later)(means) - (*earlier)(means);
+                                })));
     const bool is_first = best.lag == 0;
     if (!is_first && !(constant.error < least)) continue;
     if (!std::isnan(constant.error)) least = constant.error;
@@ -139,7 +132,7 @@ void DiffusionMeasure::add_constant(const Scene& scene, std::size_t species, con
                   {"diffusion_constant" + suffix, "L^2 T^-1", constant.value, constant.error, expected,
                    FluidTheory::kDiffusionTolerance * expected, reason},
                   theory_.enskog_diffusion(initial_temperature(scene)));
-  if (lag > 0) found.add("diffusion_lag" + suffix, "T", {lag}).reason = kLagChosen;
+  if (lag > 0) found.add("diffusion_lag" + suffix, "T", Estimate{lag}).reason = kLagChosen;
 }
 
 MeanSquareDisplacement::MeanSquareDisplacement(const Scene& scene, double interval, std::size_t most_spheres)
@@ -151,25 +144,15 @@ void MeanSquareDisplacement::sample(const Scene& scene) {
                   [&](Slot slot, Vec3* center) { *center = scene.unfolded_center(slot) - drift; });
 }
 
-Measurement MeanSquareDisplacement::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Mean square displacement",
-      .formula = R"($\langle |\mathbf{x}(s + t) - \mathbf{x}(s)|^2 \rangle$ over spheres and times )"
-                 R"($s$; $D(t)$: its slope from $t / 2$ to $t$ over $2 d$ in $d$ dimensions, $D$: that at )"
-                 R"(the lag $t$ with the least error; theory: $2 d )"
-                 R"(D \left( t - \tau (1 - e^{-t / \tau}) \right)$, $\tau = m D / kT$, with $D$ of )"
-                 R"(Enskog's theory)",
-      .source = kSourceOfDiffusion,
-      .is_logarithmic_in_argument = true,
-      .is_logarithmic_in_value = true};
+void MeanSquareDisplacement::add_results(const Scene& scene, Measurement& found) const {
+  found.is_logarithmic_in_argument = found.is_logarithmic_in_value = true;
   const double temperature = initial_temperature(scene);
   const double enskog = theory_.enskog_diffusion(temperature);
   const SpeciesList& species = average_.species();
   const std::vector<double> lags = average_.lags();
-  std::vector<double> after_zero = lags;
-  if (!lags.empty()) after_zero.erase(after_zero.begin());
-  found.add_argument("lag", "T", std::move(after_zero));
+  // Without the lag zero.
+  const std::size_t rows = lags.empty() ? 0 : lags.size() - 1;
+  found.add_argument("lag", "T", tabulated(rows, [&](std::size_t row) { return lags[row + 1]; }));
   for (std::size_t s = 0; s < species.size(); ++s) {
     // D(t) is the slope from half the lag to the lag, at which a sphere has left its cage: moved by its
     // radius.
@@ -177,23 +160,20 @@ Measurement MeanSquareDisplacement::result(const Scene& scene) const {
     const auto up_to = [&](std::size_t lag) -> std::optional<FunctionOfMeans> {
       const std::optional<std::size_t> half = half_lag(lags, lag);
       if (!half || average_.at(s, lag).value < radius * radius) return std::nullopt;
-      return [this, lag, half = *half, time = lags[lag] - lags[*half]](std::span<const double> means) {
+      return [this, lag, half = *half, time = lags[lag] - lags[*half]](Means means) {
         return (means[lag] - means[half]) / (2 * dimensions_ * time);
       };
     };
     add_constant(scene, s, up_to, found);
-    std::vector<Estimate> squares;
-    std::vector<double> theory;
     const double forgetting = enskog * species.mass(s) / temperature;
-    for (std::size_t lag = 1; lag < lags.size(); ++lag) {
-      squares.push_back(average_.at(s, lag));
-      theory.push_back(2 * dimensions_ * enskog *
-                       (lags[lag] + forgetting * std::expm1(-lags[lag] / forgetting)));
-    }
-    found.add_estimates("mean_square_displacement" + species.suffix(s), "L^2", squares);
-    if (species.is_one_kind()) found.add_theory(std::move(theory));
+    const auto theory = [&](std::size_t row) {
+      const double lag = lags[row + 1];
+      return 2 * dimensions_ * enskog * (lag + forgetting * std::expm1(-lag / forgetting));
+    };
+    found.add("mean_square_displacement" + species.suffix(s), "L^2",
+              tabulated(rows, [&](std::size_t row) { return average_.at(s, row + 1); }),
+              species.is_one_kind() ? std::optional(tabulated(rows, theory)) : std::nullopt);
   }
-  return found;
 }
 
 VelocityAutocorrelation::VelocityAutocorrelation(const Scene& scene, double interval,
@@ -208,16 +188,7 @@ void VelocityAutocorrelation::sample(const Scene& scene) {
   });
 }
 
-Measurement VelocityAutocorrelation::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Velocity autocorrelation",
-      .formula =
-          R"($C(t) = \langle \mathbf{v}(s) \cdot \mathbf{v}(s + t) \rangle$ over spheres and )"
-          R"(times $s$; $D(t) = \frac{1}{d} \int_0^t C(s) \, \mathrm{d}s$ in $d$ dimensions, $D$: that at the )"
-          R"(lag $t$ with the least error; theory: $d \frac{kT}{m} e^{-t / \tau}$, $\tau = m D / kT$, with $D$ of )"
-          R"(Enskog's theory)",
-      .source = kSourceOfDiffusion};
+void VelocityAutocorrelation::add_results(const Scene& scene, Measurement& found) const {
   const double temperature = initial_temperature(scene);
   const double enskog = theory_.enskog_diffusion(temperature);
   const SpeciesList& species = average_.species();
@@ -229,27 +200,25 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
   for (std::size_t s = 0; s < species.size(); ++s) {
     const double square = lags.empty() ? kNoNumber : average_.at(s, 0).value;
     const auto product = [&](std::size_t lag, std::size_t which) -> FunctionOfMeans {
-      return [=, this, index = lag * kShape.products + which](std::span<const double> means) {
+      return [=, this, index = lag * kShape.products + which](Means means) {
         return means[index] / (which == kIntegral ? dimensions_ : 1) *
                (is_all_energy ? square / means[0] : 1);
       };
     };
     const auto up_to = [&](std::size_t lag) { return product(lag, kIntegral); };
     add_constant(scene, s, up_to, found);
-    std::vector<Estimate> correlations;
-    std::vector<double> theory;
-    std::vector<Estimate> integrals;
     const double square_speed = dimensions_ * temperature / species.mass(s);
-    for (std::size_t lag = 0; lag < lags.size(); ++lag) {
-      correlations.push_back(average_.estimate(s, product(lag, 0)));
-      theory.push_back(square_speed * std::exp(-lags[lag] * square_speed / (dimensions_ * enskog)));
-      integrals.push_back(average_.estimate(s, up_to(lag)));
-    }
-    found.add_estimates("velocity_autocorrelation" + species.suffix(s), "L^2 T^-2", correlations);
-    if (species.is_one_kind()) found.add_theory(std::move(theory));
-    found.add_estimates("diffusion_integral" + species.suffix(s), "L^2 T^-1", integrals);
+    const auto theory = [&](std::size_t lag) {
+      return square_speed * std::exp(-lags[lag] * square_speed / (dimensions_ * enskog));
+    };
+    const auto at_lags = [&](std::size_t which) {
+      return tabulated(lags.size(),
+                       [&](std::size_t lag) { return average_.estimate(s, product(lag, which)); });
+    };
+    found.add("velocity_autocorrelation" + species.suffix(s), "L^2 T^-2", at_lags(0),
+              species.is_one_kind() ? std::optional(tabulated(lags.size(), theory)) : std::nullopt);
+    found.add("diffusion_integral" + species.suffix(s), "L^2 T^-1", at_lags(kIntegral));
   }
-  return found;
 }
 
 }  // namespace hardball

@@ -4,17 +4,19 @@
 
 #include <functional>
 #include <optional>
-#include <span>
-#include <string>
 #include <string_view>
 
-#include "hardball/measure/scene.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/measure/time_correlation.hpp"
-#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
+
+/// Where the definitions and theories of the diffusion constant are from.
+inline constexpr const char* kSourceOfDiffusion =
+    "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. Phys. 62 (1987) 509; "
+    "Enskog: Chapman and Cowling, section 16.3";
 
 /// Adds a transport coefficient, and unless Enskog's value is NaN, the coefficient over that value.
 void add_with_enskog(Measurement& found, const Quantity& coefficient, double enskog);
@@ -58,6 +60,14 @@ class DiffusionMeasure {
 class MeanSquareDisplacement : public DiffusionMeasure {
  public:
   static constexpr std::string_view kName = "mean_square_displacement";
+  static constexpr Definition kDefinition{
+      .title = "Mean square displacement",
+      .formula =
+          R"($\langle |\mathbf{x}(s + t) - \mathbf{x}(s)|^2 \rangle$ over spheres and times $s$; $D(t)$: )"
+          R"(its slope from $t / 2$ to $t$ over $2 d$ in $d$ dimensions, $D$: that at the lag $t$ with )"
+          R"(the least error; theory: $2 d D \left( t - \tau (1 - e^{-t / \tau}) \right)$, $\tau = m D / )"
+          R"(kT$, with $D$ of Enskog's theory)",
+      .source = kSourceOfDiffusion};
   /// What a sample costs for each sphere followed [ns].
   static constexpr double kCostPerSphereFollowed = 60;
 
@@ -67,8 +77,8 @@ class MeanSquareDisplacement : public DiffusionMeasure {
 
   /// A time that is not a multiple of the interval after the start is ignored. Cost: see TimeCorrelation.
   void sample(const Scene& scene);
-  /// The result up to the time of the scene.
-  Measurement result(const Scene& scene) const;
+  /// Adds the results up to the time of the scene.
+  void add_results(const Scene& scene, Measurement& found) const;
 
  private:
   friend class Persistence;
@@ -84,6 +94,14 @@ class MeanSquareDisplacement : public DiffusionMeasure {
 class VelocityAutocorrelation : public DiffusionMeasure {
  public:
   static constexpr std::string_view kName = "velocity_autocorrelation";
+  static constexpr Definition kDefinition{
+      .title = "Velocity autocorrelation",
+      .formula =
+          R"($C(t) = \langle \mathbf{v}(s) \cdot \mathbf{v}(s + t) \rangle$ over spheres and times $s$; )"
+          R"($D(t) = \frac{1}{d} \int_0^t C(s) \, \mathrm{d}s$ in $d$ dimensions, $D$: that at the lag )"
+          R"($t$ with the least error; theory: $d \frac{kT}{m} e^{-t / \tau}$, $\tau = m D / kT$, with )"
+          R"($D$ of Enskog's theory)",
+      .source = kSourceOfDiffusion};
   /// What a sample costs for each sphere followed [ns].
   static constexpr double kCostPerSphereFollowed = 50;
 
@@ -93,8 +111,8 @@ class VelocityAutocorrelation : public DiffusionMeasure {
 
   /// A time that is not a multiple of the interval after the start is ignored. Cost: see TimeCorrelation.
   void sample(const Scene& scene);
-  /// The result up to the time of the scene.
-  Measurement result(const Scene& scene) const;
+  /// Adds the results up to the time of the scene.
+  void add_results(const Scene& scene, Measurement& found) const;
 
  private:
   friend class Persistence;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 
 #include "hardball/interaction/contact.hpp"
 #include "hardball/measure/scene.hpp"

@@ -21,6 +21,7 @@
 #include "hardball/measure/profiles.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/random_start.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/settling.hpp"
@@ -274,7 +275,7 @@ std::vector<Measurement> Measures::results(const World& world, const Time& now) 
   std::vector<Measurement> results;
   entries_->for_each([&](const auto& entry) {
     if (!entry.measure) return;
-    results.push_back(entry.measure->result(scene));
+    results.push_back(result_of(*entry.measure, scene));
     results.back().duration = duration(begin_, now);
     qualify(results.back(), settled);
   });

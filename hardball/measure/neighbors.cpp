@@ -6,18 +6,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+#include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "hardball/measure/bonds.hpp"
 #include "hardball/measure/fluid_structure.hpp"
 #include "hardball/measure/reasons.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/numbers/no_number.hpp"
-#include "hardball/statistics/qualification.hpp"
-#include "hardball/statistics/transient.hpp"
 #include "hardball/world/pair_event.hpp"
 #include "hardball/world/step_levels.hpp"
 
@@ -83,27 +79,17 @@ void Coordination::sample(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement Coordination::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Numbers of neighbors",
-      .formula = "fraction of the spheres with $k$ neighbors closer than a multiple of the sum of the radii",
-      .source = "Bernal and Mason, Nature 188 (1960) 910"};
-  const Transient transient = find_transient(average_, std::array{ratio_of(kNeighbors, kCenters)},
-                                             scene.settled(), BlockAverage::Groups::separate);
-  const BlockAverage average = transient.left_out_of(average_);
+void Coordination::add_results(const Scene& scene, Measurement& found) const {
+  const BlockAverage average = without_transient(average_, std::array{ratio_of(kNeighbors, kCenters)}, scene,
+                                                 found, BlockAverage::Groups::separate);
   found.add("mean_neighbors", "1", average.ratio(kNeighbors, kCenters));
-  found.add("neighbor_reach", "1", {reach_}).reason = kReachChosen;
+  found.add("neighbor_reach", "1", Estimate{reach_}).reason = kReachChosen;
   std::size_t rows = 0;
   for (std::size_t k = 0; k <= kMaxNeighbors; ++k) {
     if (average.total(k) > 0) rows = k + 1;
   }
-  std::vector<double> neighbors(rows);
-  std::iota(neighbors.begin(), neighbors.end(), 0.0);
-  found.add_argument("neighbors", "1", std::move(neighbors));
-  found.add_estimates("fraction", "1", average.histogram(0, rows, kCenters));
-  transient.note_in(found);
-  return found;
+  found.add_argument("neighbors", "1", tabulated(rows, [](std::size_t k) { return static_cast<double>(k); }));
+  found.add("fraction", "1", average.histogram(0, rows, kCenters));
 }
 
 bool Coordination::restored() const {
@@ -159,45 +145,36 @@ void NearestNeighbor::sample(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement NearestNeighbor::result(const Scene& scene) const {
-  Measurement result{
-      .name = std::string(kName),
-      .title = "Gaps between nearest neighbors",
-      .formula = "probability density of the gap between a sphere and the one whose surface is nearest",
-      .source = "Torquato, Phys. Rev. E 51 (1995) 3170"};
-  if (widest_ == 0) return result;
+void NearestNeighbor::add_results(const Scene& scene, Measurement& found) const {
+  if (widest_ == 0) return;
   const FunctionOfMeans gap_of = ratio_of(gaps_bin(), known_bin());
   constexpr auto kCoupled = BlockAverage::Groups::coupled;
-  const Transient transient = find_transient(average_, std::array{gap_of}, scene.settled(), kCoupled);
-  const BlockAverage average = transient.left_out_of(average_);
-  std::vector<Estimate> densities = average.histogram(0, bins_, spheres_bin());
-  std::vector<double> gaps;
-  std::vector<double> theory;
+  const BlockAverage average = without_transient(average_, std::array{gap_of}, scene, found, kCoupled);
   const double width = widest_ / static_cast<double>(bins_);
   const auto none_within = [&](double gap_width) {
     return nearest_neighbor_beyond(packing_fraction_, 1 + gap_width / diameter_, dimensions_);
   };
+  const auto low = [&](std::size_t bin) { return static_cast<double>(bin) * width; };
+  const auto middle = [&](std::size_t bin) { return low(bin) + width / 2; };
+  const auto theory = [&](std::size_t bin) {
+    return (none_within(low(bin)) - none_within(low(bin) + width)) / width;
+  };
+  // The mean is the integral of the probability that the gap is wider; by Simpson's rule.
   double mean_by_theory = 0;
   for (std::size_t bin = 0; bin < bins_; ++bin) {
-    const double low = static_cast<double>(bin) * width;
-    const double middle = low + width / 2;
-    const double high = low + width;
-    gaps.push_back(middle);
-    densities[bin] = densities[bin] / width;
-    theory.push_back((none_within(low) - none_within(high)) / width);
-    // The mean is the integral of the probability that the gap is wider; by Simpson's rule.
-    mean_by_theory += (none_within(low) + 4 * none_within(middle) + none_within(high)) * width / 6;
+    mean_by_theory +=
+        (none_within(low(bin)) + 4 * none_within(middle(bin)) + none_within(low(bin) + width)) * width / 6;
   }
   const double tolerance = scene.has_equilibrium(motion_) ? kGapTolerance * mean_by_theory : kForComparison;
-  result.add("mean_gap", "L", average.estimate(gap_of, kCoupled), mean_by_theory, tolerance);
-  result.add_argument("gap", "L", std::move(gaps));
-  result.add_estimates("probability_density", "L^-1", densities);
-  if (std::isfinite(packing_fraction_)) result.add_theory(std::move(theory));
-  transient.note_in(result);
+  Quantity& mean_gap =
+      found.add("mean_gap", "L", average.estimate(gap_of, kCoupled), mean_by_theory, tolerance);
   if (may_overlap(scene.world())) {
-    leave_out(result.quantities.front(), "spheres that pass into each other have no gap between them");
+    leave_out(mean_gap, found.is_transient_over ? "spheres that pass into each other have no gap between them"
+                                                : found.unsettled);
   }
-  return result;
+  found.add_argument("gap", "L", tabulated(bins_, middle));
+  found.add("probability_density", "L^-1", average.histogram(0, bins_, spheres_bin()) / width,
+            std::isfinite(packing_fraction_) ? std::optional(tabulated(bins_, theory)) : std::nullopt);
 }
 
 bool NearestNeighbor::restored() const {
@@ -256,47 +233,24 @@ void BondOrder::sample_bonds(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()), all.count > 0 ? 1 : 0);
 }
 
-Measurement BondOrder::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Bond-orientational order",
-      .formula =
-          R"($Q_l = \left( \frac{4 \pi}{2 l + 1} \sum_m |\langle Y_{lm} \rangle|^2 \right)^{1/2}$ over all )"
-          R"(bonds; $q_l$: the same over the bonds of one sphere)",
-      .source = "Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28 (1983) 784"};
-  if (is_flat_) {
-    found.formula =
-        R"($\Psi_l = \left| \langle e^{i l \theta} \rangle \right|$ over all bonds; $\psi_l$: the same over )"
-        R"(the bonds of one disc)";
-    found.source = "Halperin and Nelson, Phys. Rev. Lett. 41 (1978) 121";
-  }
+void BondOrder::add_results(const Scene& scene, Measurement& found) const {
   const std::string of_all = is_flat_ ? "Psi" : "Q";
   const std::string of_each = is_flat_ ? "psi" : "q";
   const std::array sensitive{ratio_of(kSumSix, kBonded), ratio_of(kSumFour, kBonded),
                              ratio_of(kBonds, kSpheres)};
   constexpr auto kCoupled = BlockAverage::Groups::coupled;
-  const Transient transient = find_transient(average_, sensitive, scene.settled(), kCoupled);
-  const BlockAverage average = transient.left_out_of(average_);
+  const BlockAverage average = without_transient(average_, sensitive, scene, found, kCoupled);
   found.add(of_all + "4", "1", average.ratio(kAllFour));
   found.add(of_all + "6", "1", average.ratio(kAllSix));
   found.add("mean_" + of_each + "4", "1", average.estimate(ratio_of(kSumFour, kBonded), kCoupled));
   found.add("mean_" + of_each + "6", "1", average.estimate(ratio_of(kSumSix, kBonded), kCoupled));
   found.add("mean_bonds", "1", average.ratio(kBonds, kSpheres));
-  found.add("neighbor_reach", "1", {reach_}).reason = kReachChosen;
-  std::vector<double> invariants;
-  for (std::size_t bin = 0; bin < kBins; ++bin) {
-    invariants.push_back((static_cast<double>(bin) + 0.5) / kBins);
-  }
-  found.add_argument("invariant", "1", std::move(invariants));
-  const auto add_density = [&](const std::string& name, std::size_t first) {
-    std::vector<Estimate> shares = average.histogram(first, kBins, kBonded);
-    for (Estimate& share : shares) share = kBins * share;
-    found.add_estimates(name, "1", shares);
-  };
-  add_density(of_each + "6_density", kCountsSix);
-  add_density(of_each + "4_density", kCountsFour);
-  transient.note_in(found);
-  return found;
+  found.add("neighbor_reach", "1", Estimate{reach_}).reason = kReachChosen;
+  found.add_argument("invariant", "1", tabulated(kBins, [](std::size_t bin) {
+                       return (static_cast<double>(bin) + 0.5) / kBins;
+                     }));
+  found.add(of_each + "6_density", "1", kBins * average.histogram(kCountsSix, kBins, kBonded));
+  found.add(of_each + "4_density", "1", kBins * average.histogram(kCountsFour, kBins, kBonded));
 }
 
 bool BondOrder::restored() const {

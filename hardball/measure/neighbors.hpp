@@ -4,9 +4,7 @@
 
 #include <string_view>
 
-#include "hardball/measure/scene.hpp"
-#include "hardball/statistics/block_average.hpp"
-#include "hardball/statistics/measurement.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
@@ -16,6 +14,10 @@ namespace hardball {
 class Coordination {
  public:
   static constexpr std::string_view kName = "coordination";
+  static constexpr Definition kDefinition{
+      .title = "Numbers of neighbors",
+      .formula = "fraction of the spheres with $k$ neighbors closer than a multiple of the sum of the radii",
+      .source = "Bernal and Mason, Nature 188 (1960) 910"};
 
   /// `reach` [1]: how far away neighbors are at most, as a multiple of the sum of the radii.
   explicit Coordination(const Scene& scene, double reach = 1.2);
@@ -24,7 +26,7 @@ class Coordination {
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   void halve_weights() { average_.halve_weights(); }
-  Measurement result(const Scene& scene) const;
+  void add_results(const Scene& scene, Measurement& found) const;
 
  private:
   friend class Persistence;
@@ -47,6 +49,10 @@ class Coordination {
 class NearestNeighbor {
  public:
   static constexpr std::string_view kName = "nearest_neighbor";
+  static constexpr Definition kDefinition{
+      .title = "Gaps between nearest neighbors",
+      .formula = "probability density of the gap between a sphere and the one whose surface is nearest",
+      .source = "Torquato, Phys. Rev. E 51 (1995) 3170"};
 
   explicit NearestNeighbor(const Scene& scene, std::size_t bins = 100);
 
@@ -54,7 +60,7 @@ class NearestNeighbor {
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   void halve_weights() { average_.halve_weights(); }
-  Measurement result(const Scene& scene) const;
+  void add_results(const Scene& scene, Measurement& found) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const { return dimensions_ == world.box().dimensions(); }
@@ -95,6 +101,16 @@ class NearestNeighbor {
 class BondOrder {
  public:
   static constexpr std::string_view kName = "bond_order";
+  static constexpr Definition kDefinition{
+      .title = "Bond-orientational order",
+      .formula =
+          R"($Q_l = \left( \frac{4 \pi}{2 l + 1} \sum_m |\langle Y_{lm} \rangle|^2 \right)^{1/2}$ over )"
+          R"(all bonds; $q_l$: the same over the bonds of one sphere)",
+      .source = "Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28 (1983) 784",
+      .formula_of_discs =
+          R"($\Psi_l = \left| \langle e^{i l \theta} \rangle \right|$ over all bonds; $\psi_l$: the same )"
+          R"(over the bonds of one disc)",
+      .source_of_discs = "Halperin and Nelson, Phys. Rev. Lett. 41 (1978) 121"};
 
   /// `reach` [1]: how far away neighbors are at most, as a multiple of the sum of the radii.
   explicit BondOrder(const Scene& scene, double reach = 1.4);
@@ -103,7 +119,7 @@ class BondOrder {
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   void halve_weights() { average_.halve_weights(); }
-  Measurement result(const Scene& scene) const;
+  void add_results(const Scene& scene, Measurement& found) const;
 
  private:
   friend class Persistence;

@@ -9,14 +9,11 @@
 
 #include "hardball/measure/units.hpp"
 #include "hardball/numbers/no_number.hpp"
-#include "hardball/statistics/transient.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
-
-using Means = std::span<const double>;
 
 struct Component {
   std::size_t first;
@@ -77,24 +74,8 @@ void Pressure::record(const Contact& contact) {
   average_.put(kHits, 1);
 }
 
-Measurement Pressure::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Pressure",
-      .formula =
-          R"($P_{ab} = \frac{1}{V} \left( \sum m v_a v_b + \frac{1}{t} \sum_{\text{collisions}} r_a \Delta p_b \right)$; )"
-          R"($P$: the mean of $P_{aa}$; $Z = d P V / \sum m v^2$ in $d$ dimensions)",
-      .source =
-          "Allen and Tildesley, Computer Simulation of Liquids, section 2.4; theory of "
-          "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "
-          "2335; of mixtures: Mansoori et al., J. Chem. Phys. 54 (1971) 1523"};
-  if (box_.is_flat()) {
-    found.source =
-        "Allen and Tildesley, Computer Simulation of Liquids, section 2.4; theory of discs: Kolafa and "
-        "Rottner, Mol. Phys. 104 (2006) 3435; of mixtures: Santos, Yuste and Lopez de Haro, Mol. Phys. 96 "
-        "(1999) 1";
-  }
-  if (!is_homogeneous_) return found;
+void Pressure::add_results(const Scene& scene, Measurement& found) const {
+  if (!is_homogeneous_) return;
   Pressure up_to_now = *this;
   up_to_now.advance(scene.now());
   const BlockAverage& whole = up_to_now.average_;
@@ -107,8 +88,7 @@ Measurement Pressure::result(const Scene& scene) const {
   const auto pressure = [&](Means means) {
     return (trace(means, kKinetic) + trace(means, kCollisional)) / (dimensions_ * volume);
   };
-  const Transient transient = find_transient(whole, std::array{compressibility}, scene.settled());
-  const BlockAverage average = transient.left_out_of(whole);
+  const BlockAverage average = without_transient(whole, std::array{compressibility}, scene, found);
   const double expected =
       is_energy_conserved(motion_, scene.thermal_motion()) ? theory_.compressibility() : kNoNumber;
   const double tolerance = theory_.tolerance() * (expected - 1);
@@ -141,10 +121,8 @@ Measurement Pressure::result(const Scene& scene) const {
   add_walls(found, average);
 
   found.add_argument("time", "T", whole.middles(begin_.value()));
-  found.add_values("compressibility", "1", whole.history(compressibility));
-  found.add_values("pressure", unit_of_pressure, whole.history(pressure));
-  transient.note_in(found);
-  return found;
+  found.add("compressibility", "1", whole.history(compressibility));
+  found.add("pressure", unit_of_pressure, whole.history(pressure));
 }
 
 // The shear stress over the rate of the shear.
@@ -154,7 +132,8 @@ void Pressure::add_viscosity(Measurement& found, const BlockAverage& average, co
   const double kinetic = average.mean(kKinetic) + average.mean(kKinetic + 1) + average.mean(kKinetic + 2);
   const double expected = is_elastic ? theory_.viscosity(kinetic / (dimensions_ * spheres_)) : kNoNumber;
   found.add("viscosity", viscosity_unit(box_),
-            {-pressure_xy.value / rate, pressure_xy.error / std::fabs(rate)}, expected, kForComparison);
+            Estimate{-pressure_xy.value / rate, pressure_xy.error / std::fabs(rate)}, expected,
+            kForComparison);
 }
 
 // The standard deviation of a component of the kinetic part, averaged over some time [M L^2 T^-2]. At one

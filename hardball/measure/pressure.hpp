@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string_view>
 #include <tuple>
 
 #include "hardball/interaction/contact.hpp"
 #include "hardball/measure/kinetic_tensor.hpp"
-#include "hardball/measure/scene.hpp"
-#include "hardball/statistics/block_average.hpp"
-#include "hardball/statistics/measurement.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/velocity_change.hpp"
@@ -25,6 +22,19 @@ namespace hardball {
 class Pressure {
  public:
   static constexpr std::string_view kName = "pressure";
+  static constexpr Definition kDefinition{
+      .title = "Pressure",
+      .formula =
+          R"($P_{ab} = \frac{1}{V} \left( \sum m v_a v_b + \frac{1}{t} \sum_{\text{collisions}} r_a )"
+          R"(\Delta p_b \right)$; $P$: the mean of $P_{aa}$; $Z = d P V / \sum m v^2$ in $d$ dimensions)",
+      .source =
+          "Allen and Tildesley, Computer Simulation of Liquids, section 2.4; theory of equal spheres: "
+          "Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) 2335; of mixtures: Mansoori et "
+          "al., J. Chem. Phys. 54 (1971) 1523",
+      .source_of_discs =
+          "Allen and Tildesley, Computer Simulation of Liquids, section 2.4; theory of discs: Kolafa and "
+          "Rottner, Mol. Phys. 104 (2006) 3435; of mixtures: Santos, Yuste and Lopez de Haro, Mol. Phys. "
+          "96 (1999) 1"};
 
   /// Starts at the time of the scene. Cost: O(n).
   explicit Pressure(const Scene& scene);
@@ -32,8 +42,8 @@ class Pressure {
   /// Cost: O(1).
   void record(const Contact& contact);
   void record(const VelocityChange& change);
-  /// The result up to the time of the scene.
-  Measurement result(const Scene& scene) const;
+  /// Adds the results up to the time of the scene.
+  void add_results(const Scene& scene, Measurement& found) const;
 
  private:
   friend class Persistence;

@@ -13,8 +13,6 @@
 
 #include "hardball/measure/units.hpp"
 #include "hardball/numbers/no_number.hpp"
-#include "hardball/statistics/qualification.hpp"
-#include "hardball/statistics/transient.hpp"
 #include "hardball/world/images.hpp"
 
 namespace hardball {
@@ -56,8 +54,6 @@ double temperature_between_walls(const World& world, const Time& moment) {
   });
   return sum / (walled_axes(world.box()) * static_cast<double>(world.size()));
 }
-
-using Means = std::span<const double>;
 
 constexpr std::size_t kMaxSlabs = 100;
 
@@ -173,46 +169,30 @@ void DensityProfiles::sample(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement DensityProfiles::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Density profiles",
-      .formula =
-          "number density: centers in a slab over its volume; packing fraction: volume of spheres in a slab "
-          "over its volume; pressure: $kT$ times the density of centers that touch a wall",
-      .source = "Henderson, Blum and Lebowitz, J. Electroanal. Chem. 102 (1979) 315 (contact theorem)"};
-  if (most_bins_ == 0) return found;
-  Transient transient;
-  if (walled_axes(box_) > 0) {
-    transient = find_transient(average_, std::array{mean_of(first_at_walls())}, scene.settled());
-  }
-  const BlockAverage average = transient.left_out_of(average_);
-  if (walled_axes(box_) > 0) {
-    const Estimate density = average.ratio(first_at_walls());
-    require_not_negative(found.add("density_at_walls", number_density_unit(box_), density));
-  }
+void DensityProfiles::add_results(const Scene& scene, Measurement& found) const {
+  if (most_bins_ == 0) return;
+  const bool has_walls = walled_axes(box_) > 0;
+  const BlockAverage average =
+      has_walls ? without_transient(average_, std::array{mean_of(first_at_walls())}, scene, found) : average_;
+  const auto add_at_walls = [&](const char* name, const char* unit, std::size_t bin) {
+    require_not_negative(found.add(name, unit, average.ratio(first_at_walls() + bin)));
+  };
+  if (has_walls) add_at_walls("density_at_walls", number_density_unit(box_), 0);
   // Between other faces the spheres at a wall may have another temperature than the rest.
-  if (walled_axes(box_) > 0 && box_.has_plain_faces()) {
-    const Estimate pressure = average.ratio(first_at_walls() + 1);
-    require_not_negative(found.add("pressure_at_walls", pressure_unit(box_), pressure));
-  }
+  if (has_walls && box_.has_plain_faces()) add_at_walls("pressure_at_walls", pressure_unit(box_), 1);
   found.add_argument("position", "L", bin_middles(0, bin_width_, most_bins_));
   for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
-    std::vector<Estimate> densities = average.histogram(axis * most_bins_, bins_[axis]);
-    std::vector<Estimate> fractions;
-    const double area = box_.face_area(axis);
-    for (std::size_t bin = 0; bin < bins_[axis]; ++bin) {
-      densities[bin] = 1 / (area * slab_width(axis, bin)) * densities[bin];
-      fractions.push_back(average.ratio(first_fraction() + axis * most_bins_ + bin));
-    }
-    densities.resize(most_bins_);
-    fractions.resize(most_bins_);
-    const std::string suffix = std::string("_") + kAxisNames[axis];
-    found.add_estimates("number_density" + suffix, number_density_unit(box_), densities);
-    found.add_estimates("packing_fraction" + suffix, "1", fractions);
+    const auto add = [&](const std::string& name, const char* unit, const auto& in_slab) {
+      found.add(name + kAxisNames[axis], unit, tabulated(most_bins_, [&](std::size_t bin) {
+                  return bin < bins_[axis] ? in_slab(bin) : Estimate();
+                }));
+    };
+    const std::vector<Estimate> counts = average.histogram(axis * most_bins_, bins_[axis]);
+    add("number_density_", number_density_unit(box_),
+        [&](std::size_t bin) { return 1 / (box_.face_area(axis) * slab_width(axis, bin)) * counts[bin]; });
+    add("packing_fraction_", "1",
+        [&](std::size_t bin) { return average.ratio(first_fraction() + axis * most_bins_ + bin); });
   }
-  transient.note_in(found);
-  return found;
 }
 
 bool DensityProfiles::restored() const {
@@ -276,10 +256,9 @@ void FlowProfiles::add_profiles(Measurement& found, const BlockAverage& average,
   positions.resize(rows, kNoNumber);
   found.add_argument(kAxisNames[axis], "L", std::move(positions));
   const auto add = [&](const std::string& name, const std::string& unit, const auto& in_slab) {
-    std::vector<Estimate> slabs;
-    for (std::size_t slab = 0; slab < slabs_[axis]; ++slab) slabs.push_back(in_slab(bin(axis, slab)));
-    slabs.resize(rows);
-    found.add_estimates(name + at, unit, slabs);
+    found.add(name + at, unit, tabulated(rows, [&](std::size_t slab) {
+                return slab < slabs_[axis] ? in_slab(bin(axis, slab)) : Estimate();
+              }));
   };
   const double volume = box_.face_area(axis) * width;
   if (std::isfinite(volume)) {
@@ -308,16 +287,9 @@ void FlowProfiles::add_profiles(Measurement& found, const BlockAverage& average,
   }
 }
 
-Measurement FlowProfiles::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = box_.is_sheared() ? "Profiles across the shear" : "Profiles between driven faces",
-      .formula =
-          R"(number density: centers in a slab over its volume; flow velocity $\mathbf{u} = \sum m )"
-          R"(\mathbf{v} / \sum m$ in a slab; $kT = \frac{1}{d N} \sum m (\mathbf{v} - \mathbf{u})^2$ of $N$ )"
-          R"(spheres in $d$ dimensions)",
-      .source = "sums over the spheres in each slab"};
-  if (average_.bins() == 0) return found;
+void FlowProfiles::add_results(const Scene& scene, Measurement& found) const {
+  if (box_.is_sheared()) found.title = kTitleAcrossShear;
+  if (average_.bins() == 0) return;
   // The energy of each half of the box, and its momentum along moving faces, settle last.
   std::vector<FunctionOfMeans> carried;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -335,13 +307,10 @@ Measurement FlowProfiles::result(const Scene& scene) const {
       add(middle, slabs_[axis], sum);
     }
   }
-  const Transient transient = find_transient(average_, carried, scene.settled());
-  const BlockAverage average = transient.left_out_of(average_);
+  const BlockAverage average = without_transient(average_, carried, scene, found);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (slabs_[axis] > 0) add_profiles(found, average, axis);
   }
-  transient.note_in(found);
-  return found;
 }
 
 bool FlowProfiles::restored() const {

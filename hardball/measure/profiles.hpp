@@ -3,15 +3,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "hardball/measure/scene.hpp"
-#include "hardball/statistics/block_average.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/statistics/contact_extrapolation.hpp"
-#include "hardball/statistics/measurement.hpp"
 
 namespace hardball {
 
@@ -24,6 +20,12 @@ namespace hardball {
 class DensityProfiles {
  public:
   static constexpr std::string_view kName = "density_profiles";
+  static constexpr Definition kDefinition{
+      .title = "Density profiles",
+      .formula =
+          "number density: centers in a slab over its volume; packing fraction: volume of spheres in a "
+          "slab over its volume; pressure: $kT$ times the density of centers that touch a wall",
+      .source = "Henderson, Blum and Lebowitz, J. Electroanal. Chem. 102 (1979) 315 (contact theorem)"};
 
   /// In bins of `bin_width` mean radii, or wider so that there are no more than 2000.
   explicit DensityProfiles(const Scene& scene, double bin_width = 0.1);
@@ -32,7 +34,7 @@ class DensityProfiles {
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   void halve_weights() { average_.halve_weights(); }
-  Measurement result(const Scene& scene) const;
+  void add_results(const Scene& scene, Measurement& found) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const { return is_same_box(box_, world.box()); }
@@ -74,6 +76,14 @@ class DensityProfiles {
 class FlowProfiles {
  public:
   static constexpr std::string_view kName = "flow_profiles";
+  static constexpr const char* kTitleAcrossShear = "Profiles across the shear";
+  static constexpr Definition kDefinition{
+      .title = "Profiles between driven faces",
+      .formula =
+          R"(number density: centers in a slab over its volume; flow velocity $\mathbf{u} = \sum m )"
+          R"(\mathbf{v} / \sum m$ in a slab; $kT = \frac{1}{d N} \sum m (\mathbf{v} - \mathbf{u})^2$ of )"
+          R"($N$ spheres in $d$ dimensions)",
+      .source = "sums over the spheres in each slab"};
 
   /// In slabs of one mean radius, or wider so that there are no more than 100 along an axis.
   explicit FlowProfiles(const Scene& scene);
@@ -82,7 +92,7 @@ class FlowProfiles {
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   void halve_weights() { average_.halve_weights(); }
-  Measurement result(const Scene& scene) const;
+  void add_results(const Scene& scene, Measurement& found) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const { return is_same_box(box_, world.box()); }

@@ -7,12 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/numbers/no_number.hpp"
-#include "hardball/statistics/qualification.hpp"
-#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -168,24 +165,10 @@ void RadialDistribution::sample(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement RadialDistribution::result(const Scene& scene) const {
-  Measurement found{.name = std::string(kName),
-                    .title = "Radial distribution function",
-                    .formula = "$g(r)$: pairs at the distance $r$ over those of an ideal gas in the same box",
-                    .source =
-                        "Allen and Tildesley, Computer Simulation of Liquids, section 2.6; contact value of "
-                        "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "
-                        "2335; of mixtures: Mansoori et al., J. Chem. Phys. 54 (1971) 1523"};
-  if (box_.is_flat()) {
-    found.source =
-        "Allen and Tildesley, Computer Simulation of Liquids, section 2.6; contact value of discs: Kolafa "
-        "and Rottner, Mol. Phys. 104 (2006) 3435; of mixtures: Santos, Yuste and Lopez de Haro, J. Chem. "
-        "Phys. 117 (2002) 5785";
-  }
-  if (!has_meaning()) return found;
-  const Transient transient = find_transient(average_, std::array{ratio_of(contact_bin(0), pairs_bin(0))},
-                                             scene.settled(), BlockAverage::Groups::separate);
-  const BlockAverage average = transient.left_out_of(average_);
+void RadialDistribution::add_results(const Scene& scene, Measurement& found) const {
+  if (!has_meaning()) return;
+  const BlockAverage average = without_transient(average_, std::array{ratio_of(contact_bin(0), pairs_bin(0))},
+                                                 scene, found, BlockAverage::Groups::separate);
   const bool is_equilibrium = scene.has_equilibrium(motion_);
   found.add_argument("distance", "L", bin_middles(low_, bin_width_, bins_));
   for (std::size_t index = 0; index < kinds_.size(); ++index) {
@@ -198,16 +181,13 @@ Measurement RadialDistribution::result(const Scene& scene) const {
       require_not_negative(found.add("contact_value" + kind.suffix, "1", contact, kind.theory,
                                      is_equilibrium ? kind.tolerance : kForComparison));
     }
-    std::vector<Estimate> densities = average.histogram(index * bins_, bins_, pairs_bin(index));
-    for (std::size_t bin = 0; bin < bins_; ++bin) {
-      const double begin = low_ + static_cast<double>(bin) * bin_width_;
-      const double ideal = ideal_share(begin + bin_width_, kind.reach) - ideal_share(begin, kind.reach);
-      densities[bin] = densities[bin] / ideal;
-    }
-    found.add_estimates("g" + kind.suffix, "1", densities);
+    const std::vector<Estimate> counts = average.histogram(index * bins_, bins_, pairs_bin(index));
+    found.add("g" + kind.suffix, "1", tabulated(bins_, [&](std::size_t bin) {
+                const double begin = low_ + static_cast<double>(bin) * bin_width_;
+                return counts[bin] /
+                       (ideal_share(begin + bin_width_, kind.reach) - ideal_share(begin, kind.reach));
+              }));
   }
-  transient.note_in(found);
-  return found;
 }
 
 bool RadialDistribution::restored() const {

@@ -6,10 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "hardball/measure/scene.hpp"
-#include "hardball/statistics/block_average.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/statistics/contact_extrapolation.hpp"
-#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
@@ -27,6 +25,17 @@ namespace hardball {
 class RadialDistribution {
  public:
   static constexpr std::string_view kName = "radial_distribution";
+  static constexpr Definition kDefinition{
+      .title = "Radial distribution function",
+      .formula = "$g(r)$: pairs at the distance $r$ over those of an ideal gas in the same box",
+      .source =
+          "Allen and Tildesley, Computer Simulation of Liquids, section 2.6; contact value of equal "
+          "spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) 2335; of mixtures: "
+          "Mansoori et al., J. Chem. Phys. 54 (1971) 1523",
+      .source_of_discs =
+          "Allen and Tildesley, Computer Simulation of Liquids, section 2.6; contact value of discs: "
+          "Kolafa and Rottner, Mol. Phys. 104 (2006) 3435; of mixtures: Santos, Yuste and Lopez de Haro, "
+          "J. Chem. Phys. 117 (2002) 5785"};
 
   /// Extends to `range` mean diameters, at most to half the smallest edge of the box, in bins of `bin_width`
   /// mean diameters.
@@ -37,7 +46,7 @@ class RadialDistribution {
   /// Precondition: the spheres are those of the start.
   void sample(const Scene& scene);
   void halve_weights() { average_.halve_weights(); }
-  Measurement result(const Scene& scene) const;
+  void add_results(const Scene& scene, Measurement& found) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const;

@@ -197,11 +197,7 @@ void Settling::sample(const Scene& scene) {
 Settled Settling::found(const Scene& scene) const {
   constexpr std::size_t kLeastBlocks = 8;
   constexpr double kForgotten = 0.05;
-  using Means = std::span<const double>;
   const std::span<const double> ends = history_.ends();
-  const auto history_of = [&](std::size_t bin) {
-    return history_.history([bin](Means means) { return means[bin]; });
-  };
   Settled found;
   if (scene.now() == begin_) return found;
   const auto end_after = [&](std::optional<std::size_t> blocks, const char* reason) {
@@ -212,10 +208,10 @@ Settled Settling::found(const Scene& scene) const {
   };
   const auto settled = [&](std::size_t order) -> std::optional<std::size_t> {
     if (ends.size() < kLeastBlocks) return std::nullopt;
-    return blocks_until_settled(history_of(kOrders + order), starts_[order]);
+    return blocks_until_settled(history_.history(mean_of(kOrders + order)), starts_[order]);
   };
   if (must_leave_places_) {
-    const std::vector<double> overlap = history_of(kOverlap);
+    const std::vector<double> overlap = history_.history(mean_of(kOverlap));
     const auto left = std::ranges::find_if(overlap, [](double value) { return value < kForgotten; });
     const std::size_t blocks = static_cast<std::size_t>(left - overlap.begin()) + 1;
     end_after(left == overlap.end() ? std::nullopt : std::optional(blocks),
@@ -231,7 +227,7 @@ Settled Settling::found(const Scene& scene) const {
 // Says whether the temperature settles, and when.
 void Settling::judge_temperature(const Scene& scene, Settled& found) const {
   constexpr double kFarFromStart = 4;
-  const FunctionOfMeans temperature = [](std::span<const double> means) { return means[kTemperature]; };
+  const FunctionOfMeans temperature = mean_of(kTemperature);
   const Transient transient = find_transient(history_, std::array{temperature});
   found.is_steady = transient.is_over && !is_drifting(temperature, scene.thermal_motion());
   // A transient that may be chance is left to each measure.

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 #include "hardball/statistics/block_average.hpp"
 
@@ -33,7 +32,7 @@ inline Estimate mean_speed(const BlockAverage& average, std::size_t speed, std::
                            std::size_t spheres, bool is_energy_fixed) {
   const double mean_square = average.ratio(square, spheres).value;
   return average.estimate(
-      [=](std::span<const double> means) {
+      [=](Means means) {
         return means[speed] / means[spheres] * std::sqrt(mean_square * means[spheres] / means[square]);
       },
       is_energy_fixed ? BlockAverage::Groups::exchanging : BlockAverage::Groups::none);

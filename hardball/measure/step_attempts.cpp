@@ -4,19 +4,14 @@
 
 #include <cmath>
 #include <numbers>
-#include <span>
-#include <utility>
 
 #include "hardball/measure/energy_gain.hpp"
 #include "hardball/numbers/no_number.hpp"
-#include "hardball/statistics/transient.hpp"
 #include "hardball/world/step_levels.hpp"
 #include "hardball/world/totals.hpp"
 
 namespace hardball {
 namespace {
-
-using Means = std::span<const double>;
 
 constexpr const char* kUnitOfEnergy = "M L^2 T^-2";
 
@@ -71,24 +66,12 @@ void StepAttempts::record(const VelocityChange& change) {
   kinetic_ += energy_gain(change.mass, change.before, change.after);
 }
 
-Measurement StepAttempts::result(const Scene& scene) const {
-  Measurement found{.name = std::string(kName),
-                    .title = "Potential energy, and what happens at steps",
-                    .formula =
-                        R"($U$ per sphere; heat capacity $C/Nk$ from )"
-                        R"($\langle \delta K^2 \rangle / \langle K \rangle^2 = )"
-                        R"(\frac{2}{f} (1 - \frac{f}{2} \frac{k}{C})$; at each step how often a sphere )"
-                        R"(comes to it, the fraction that passes, theory $e^{-\Delta U / kT}$, and )"
-                        R"($g(r)$ on both sides from the rates)",
-                    .source =
-                        "Alder and Wainwright, J. Chem. Phys. 31 (1959) 459; Lebowitz, Percus and Verlet, "
-                        "Phys. Rev. 153 (1967) 250; docs/steps.md"};
+void StepAttempts::add_results(const Scene& scene, Measurement& found) const {
   StepAttempts up_to_now = *this;
   up_to_now.advance(scene.now());
   const BlockAverage& whole = up_to_now.average_;
   const FunctionOfMeans energy = [this](Means means) { return (start_ + means[kPotential]) / spheres_; };
-  const Transient transient = find_transient(whole, std::array{energy}, scene.settled());
-  const BlockAverage average = transient.left_out_of(whole);
+  const BlockAverage average = without_transient(whole, std::array{energy}, scene, found);
   found.add("potential_energy", kUnitOfEnergy, average.estimate(energy));
   add_heat_capacity(scene, average, found);
   const StepTable& steps = scene.world().interactions().steps();
@@ -102,9 +85,7 @@ Measurement StepAttempts::result(const Scene& scene) const {
     }
   }
   found.add_argument("time", "T", whole.middles(begin_.value()));
-  found.add_values("potential_energy", kUnitOfEnergy, whole.history(energy));
-  transient.note_in(found);
-  return found;
+  found.add("potential_energy", kUnitOfEnergy, whole.history(energy));
 }
 
 // From the fluctuations of the kinetic energy, if the total one is conserved.
@@ -116,7 +97,7 @@ void StepAttempts::add_heat_capacity(const Scene& scene, const BlockAverage& ave
   const bool is_conserved = std::fabs(energy - total_energy_) <= kRounding * scale &&
                             scene.world().interactions().table().restitution() == 1.0 && !is_driven_;
   if (!is_conserved) {
-    found.add("heat_capacity", "1", {}).reason = "the total energy is not conserved";
+    found.add("heat_capacity", "1", Estimate()).reason = "the total energy is not conserved";
     return;
   }
   const double freedom = motion_.degrees_of_freedom;
@@ -146,7 +127,7 @@ void StepAttempts::add_step(const Scene& scene, const BlockAverage& average, std
     const std::string name = std::string("passed_") + direction + suffix;
     constexpr double kMinPassed = 30;
     if (average.total(bin + come + 1) < kMinPassed) {
-      found.add(name, "1", {}).reason = "fewer than 30 have passed";
+      found.add(name, "1", Estimate()).reason = "fewer than 30 have passed";
     } else {
       found.add(name, "1", average.ratio(bin + come + 1, bin + come), theory,
                 2 * (x + x * x) / freedom * theory);

@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/scene.hpp"
-#include "hardball/statistics/block_average.hpp"
-#include "hardball/statistics/measurement.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/velocity_change.hpp"
 
@@ -27,6 +24,16 @@ namespace hardball {
 class StepAttempts {
  public:
   static constexpr std::string_view kName = "steps";
+  static constexpr Definition kDefinition{
+      .title = "Potential energy, and what happens at steps",
+      .formula =
+          R"($U$ per sphere; heat capacity $C/Nk$ from $\langle \delta K^2 \rangle / \langle K \rangle^2 )"
+          R"(= \frac{2}{f} (1 - \frac{f}{2} \frac{k}{C})$; at each step how often a sphere comes to it, )"
+          R"(the fraction that passes, theory $e^{-\Delta U / kT}$, and $g(r)$ on both sides from the )"
+          R"(rates)",
+      .source =
+          "Alder and Wainwright, J. Chem. Phys. 31 (1959) 459; Lebowitz, Percus and Verlet, Phys. Rev. 153 "
+          "(1967) 250; docs/steps.md"};
   /// Measured only where there are potentials of steps.
   static constexpr bool kNeedsSteps = true;
 
@@ -36,8 +43,8 @@ class StepAttempts {
   /// Cost: O(1).
   void record(const Contact& contact);
   void record(const VelocityChange& change);
-  /// The result up to the time of the scene.
-  Measurement result(const Scene& scene) const;
+  /// Adds the results up to the time of the scene.
+  void add_results(const Scene& scene, Measurement& found) const;
 
  private:
   friend class Persistence;

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <string>
-#include <utility>
 
 #include "hardball/measure/fluid_structure.hpp"
-#include "hardball/statistics/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -186,36 +184,26 @@ void StructureFactor::sample(const Scene& scene) {
   shells_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement StructureFactor::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Static structure factor",
-      .formula =
-          R"($S(k) = \frac{1}{n} \left| \sum e^{i \mathbf{k} \cdot \mathbf{x}} \right|^2$ over $n$ spheres)",
-      .source = "Hansen and McDonald, Theory of Simple Liquids, sections 4.1 and 4.4 (Percus and Yevick)"};
-  if (waves_.empty()) return found;
-  const FunctionOfMeans mean_of_shells = [](std::span<const double> means) {
+void StructureFactor::add_results(const Scene& scene, Measurement& found) const {
+  if (waves_.empty()) return;
+  const FunctionOfMeans mean_of_shells = [](Means means) {
     return std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());
   };
-  const Transient transient = find_transient(shells_, std::array{mean_of_shells}, scene.settled());
-  const BlockAverage shells = transient.left_out_of(shells_);
-  std::vector<double> wave_numbers;
-  std::vector<Estimate> factors;
-  std::vector<double> theory;
-  std::size_t k = 0;
-  for (std::size_t shell = 0; shell < shell_ends_.size(); ++shell) {
-    const auto vectors = static_cast<double>(shell_ends_[shell] - k);
-    double mean_length = 0;
-    double expected = 0;
-    for (; k < shell_ends_[shell]; ++k) {
-      const double wave_length = length_of(waves_[k]);
-      mean_length += wave_length / vectors;
-      expected += percus_yevick_structure_factor(packing_fraction_, wave_length * diameter_) / vectors;
-    }
-    wave_numbers.push_back(mean_length);
-    factors.push_back(shells.ratio(shell));
-    theory.push_back(expected);
-  }
+  const BlockAverage shells = without_transient(shells_, std::array{mean_of_shells}, scene, found);
+  const std::size_t rows = shell_ends_.size();
+  // The mean of a function of the length over the wave vectors of a shell.
+  const auto mean_in = [&](std::size_t shell, const auto& of_length) {
+    const std::size_t begin = shell == 0 ? 0 : shell_ends_[shell - 1];
+    const auto vectors = static_cast<double>(shell_ends_[shell] - begin);
+    double mean = 0;
+    for (std::size_t k = begin; k < shell_ends_[shell]; ++k)
+      mean += of_length(length_of(waves_[k])) / vectors;
+    return mean;
+  };
+  const std::vector<double> wave_numbers =
+      tabulated(rows, [&](std::size_t shell) { return mean_in(shell, std::identity()); });
+  const std::vector<Estimate> factors =
+      tabulated(rows, [&](std::size_t shell) { return shells.ratio(shell); });
   if (shells_.samples() > 0) {
     const auto highest = std::ranges::max_element(factors, {}, &Estimate::value);
     // Without structure the largest of many values is one, within errors; and where these are not known, the
@@ -230,11 +218,14 @@ Measurement StructureFactor::result(const Scene& scene) const {
     found.add("highest_peak_wave_number", "L^-1", is_peak ? Estimate{wave_number} : Estimate()).reason =
         is_peak ? "it is known to the width of a shell of wave numbers" : kNoPeak;
   }
-  found.add_argument("wave_number", "L^-1", std::move(wave_numbers));
-  found.add_estimates("structure_factor", "1", factors);
-  if (std::isfinite(packing_fraction_)) found.add_theory(std::move(theory));
-  transient.note_in(found);
-  return found;
+  found.add_argument("wave_number", "L^-1", wave_numbers);
+  const auto theory = [&](std::size_t shell) {
+    return mean_in(shell, [&](double wave_number) {
+      return percus_yevick_structure_factor(packing_fraction_, wave_number * diameter_);
+    });
+  };
+  found.add("structure_factor", "1", factors,
+            std::isfinite(packing_fraction_) ? std::optional(tabulated(rows, theory)) : std::nullopt);
 }
 
 bool StructureFactor::restored() const {

@@ -3,14 +3,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "hardball/measure/scene.hpp"
-#include "hardball/statistics/block_average.hpp"
-#include "hardball/statistics/measurement.hpp"
+#include "hardball/measure/result.hpp"
 
 namespace hardball {
 
@@ -23,6 +20,11 @@ namespace hardball {
 class StructureFactor {
  public:
   static constexpr std::string_view kName = "structure_factor";
+  static constexpr Definition kDefinition{
+      .title = "Static structure factor",
+      .formula =
+          R"($S(k) = \frac{1}{n} \left| \sum e^{i \mathbf{k} \cdot \mathbf{x}} \right|^2$ over $n$ spheres)",
+      .source = "Hansen and McDonald, Theory of Simple Liquids, sections 4.1 and 4.4 (Percus and Yevick)"};
   /// Without a meaning where images of the box slide.
   static constexpr bool kNeedsImagesAtRest = true;
 
@@ -37,7 +39,7 @@ class StructureFactor {
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   void halve_weights() { shells_.halve_weights(); }
-  Measurement result(const Scene& scene) const;
+  void add_results(const Scene& scene, Measurement& found) const;
 
  private:
   friend class Persistence;

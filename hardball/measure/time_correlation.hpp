@@ -74,9 +74,7 @@ class TimeCorrelation {
   Estimate estimate(std::size_t species, const FunctionOfMeans& quantity) const;
   /// The mean of a product at one of these lags.
   Estimate at(std::size_t species, std::size_t lag, std::size_t product = 0) const {
-    return estimate(species, [index = lag * shape_.products + product](std::span<const double> means) {
-      return means[index];
-    });
+    return estimate(species, mean_of(lag * shape_.products + product));
   }
 
   /// Whether it can continue with this world; false only if its state is damaged.

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "hardball/measure/diffusion.hpp"
 #include "hardball/measure/reasons.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
 #include "hardball/numbers/no_number.hpp"
-#include "hardball/statistics/qualification.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
@@ -24,29 +22,26 @@ using FlightOf = void (*)(const TransportConditions&, double mass, const Vec3& v
                           Rates& rates);
 using TransferOf = void (*)(const TransportConditions&, const Contact& contact, Rates& jump);
 
+using Theory = double (FluidTheory::*)(double temperature) const;
+
 // A coefficient: how its moment is made, and what is known about it.
 struct Kind {
-  const char* title;
-  const char* formula;
   const char* quantity;
   const char* unit;
   Rates weights;  // of squares; those in two dimensions differ
   Rates weights_of_discs;
-  bool has_mean;
+  bool has_mean = false;
   FlightOf flight;
   TransferOf transfer;
   // By which the slope is multiplied.
   double (*scale)(const TransportConditions&, double temperature);
-  // Enskog's theory, what is expected, and by which fraction that may be off.
-  double (*enskog)(const FluidTheory&, double temperature);
-  double (*expected)(const FluidTheory&, double temperature);
-  double tolerance;
+  // Enskog's theory, what is expected, and by which fraction that may be off; null without a theory.
+  Theory enskog = nullptr;
+  Theory expected = nullptr;
+  double tolerance = 0;
 };
 
 void no_transfer(const TransportConditions&, const Contact&, Rates&) {}
-double no_theory(const FluidTheory&, double) {
-  return kNoNumber;
-}
 
 Vec3 momentum_of_second(const Contact& contact) {
   return contact.second_mass * (contact.after.second - contact.before.second);
@@ -107,74 +102,53 @@ double of_mixing(const TransportConditions& conditions, double) {
   return 1 / (2 * spheres * all.fraction(0) * all.fraction(1));
 }
 
-const Kind& kind_of(Coefficient coefficient) {
-  constexpr double kThird = 1.0 / 3;
-  static const std::array<Kind, 4> kKinds{{
-      {"Viscosity",
-       R"($\eta = \lim_{t \to \infty} \frac{\langle \Delta G_{ab}^2 \rangle}{2 V k T t}$, )"
-       R"($\Delta G_{ab} = \int \sum m v_a v_b\,dt + \sum_{\text{collisions}} r_a \Delta p_b$; )"
-       R"(mean over xy, xz, yz and the differences of the diagonal)",
-       "viscosity",
-       "M L^-1 T^-1",
-       {0.2, 0.2, 0.2, 2.0 / 15, 2.0 / 15, 2.0 / 15},
-       {0.5, 0, 0, 0.5, 0, 0},
-       false,
-       shear_flight,
-       shear_transfer,
-       per_volume_and_temperature,
-       [](const FluidTheory& theory, double t) { return theory.enskog_viscosity(t); },
-       [](const FluidTheory& theory, double t) { return theory.viscosity(t); },
-       FluidTheory::kViscosityTolerance},
-      {"Bulk viscosity",
-       R"($\kappa = \lim_{t \to \infty} \frac{\langle (\Delta G - \langle \Delta G \rangle)^2 \rangle}{2 V k T t}$, )"
-       R"($\Delta G$: a third of the trace of $\Delta G_{ab} = \int \sum m v_a v_b\,dt + )"
-       R"(\sum_{\text{collisions}} r_a \Delta p_b$)",
-       "bulk_viscosity",
-       "M L^-1 T^-1",
-       {1, 0, 0, 0, 0, 0},
-       {1, 0, 0, 0, 0, 0},
-       true,
-       compression_flight,
-       compression_transfer,
-       per_volume_and_temperature,
-       [](const FluidTheory& theory, double t) { return theory.enskog_bulk_viscosity(t); },
-       [](const FluidTheory& theory, double t) { return theory.enskog_bulk_viscosity(t); },
-       FluidTheory::kBulkViscosityTolerance},
-      {"Thermal conductivity",
-       R"($\lambda = \lim_{t \to \infty} \frac{\langle \Delta Q_a^2 \rangle}{2 V k T^2 t}$, in units of )"
-       R"($k$; $\Delta Q_a = \int \sum \frac12 m v^2 v_a\,dt + \sum_{\text{collisions}} r_a \Delta E_j$)",
-       "thermal_conductivity",
-       "L^-1 T^-1",
-       {kThird, kThird, kThird, 0, 0, 0},
-       {0.5, 0.5, 0, 0, 0, 0},
-       false,
-       heat_flight,
-       heat_transfer,
-       of_heat,
-       [](const FluidTheory& theory, double t) { return theory.enskog_thermal_conductivity(t); },
-       [](const FluidTheory& theory, double t) { return theory.enskog_thermal_conductivity(t); },
-       FluidTheory::kThermalConductivityTolerance},
-      {"Mutual diffusion",
-       R"($D_{12} = \lim_{t \to \infty} \frac{\langle |x_2 \sum_1 \Delta \mathbf{r} - x_1 \sum_2 \Delta )"
-       R"(\mathbf{r}|^2 \rangle}{2 d N x_1 x_2 t}$ in $d$ dimensions, of Maxwell and Stefan)",
-       "mutual_diffusion_constant",
-       "L^2 T^-1",
-       {kThird, kThird, kThird, 0, 0, 0},
-       {0.5, 0.5, 0, 0, 0, 0},
-       false,
-       mixing_flight,
-       no_transfer,
-       of_mixing,
-       no_theory,
-       no_theory,
-       0},
-  }};
+constexpr double kThird = 1.0 / 3;
+
+// By the number of the coefficient.
+constexpr std::array<Kind, 4> kKinds{{
+    {.quantity = "viscosity",
+     .unit = "M L^-1 T^-1",
+     .weights = {0.2, 0.2, 0.2, 2.0 / 15, 2.0 / 15, 2.0 / 15},
+     .weights_of_discs = {0.5, 0, 0, 0.5, 0, 0},
+     .flight = shear_flight,
+     .transfer = shear_transfer,
+     .scale = per_volume_and_temperature,
+     .enskog = &FluidTheory::enskog_viscosity,
+     .expected = &FluidTheory::viscosity,
+     .tolerance = FluidTheory::kViscosityTolerance},
+    {.quantity = "bulk_viscosity",
+     .unit = "M L^-1 T^-1",
+     .weights = {1},
+     .weights_of_discs = {1},
+     .has_mean = true,
+     .flight = compression_flight,
+     .transfer = compression_transfer,
+     .scale = per_volume_and_temperature,
+     .enskog = &FluidTheory::enskog_bulk_viscosity,
+     .expected = &FluidTheory::enskog_bulk_viscosity,
+     .tolerance = FluidTheory::kBulkViscosityTolerance},
+    {.quantity = "thermal_conductivity",
+     .unit = "L^-1 T^-1",
+     .weights = {kThird, kThird, kThird},
+     .weights_of_discs = {0.5, 0.5},
+     .flight = heat_flight,
+     .transfer = heat_transfer,
+     .scale = of_heat,
+     .enskog = &FluidTheory::enskog_thermal_conductivity,
+     .expected = &FluidTheory::enskog_thermal_conductivity,
+     .tolerance = FluidTheory::kThermalConductivityTolerance},
+    {.quantity = "mutual_diffusion_constant",
+     .unit = "L^2 T^-1",
+     .weights = {kThird, kThird, kThird},
+     .weights_of_discs = {0.5, 0.5},
+     .flight = mixing_flight,
+     .transfer = no_transfer,
+     .scale = of_mixing},
+}};
+
+constexpr const Kind& kind_of(Coefficient coefficient) {
   return kKinds[static_cast<std::size_t>(coefficient)];
 }
-
-constexpr const char* kSource =
-    "Helfand, Phys. Rev. 119 (1960) 1; Alder, Gass and Wainwright, J. Chem. Phys. 53 (1970) 3813; Enskog: "
-    "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, chapter 16";
 
 // After this many mean free times what is left of correlations decays slowly. The velocities of single
 // spheres stay correlated longer than collective ones: at high density they change the slope by another
@@ -222,11 +196,11 @@ void add_coefficient(Measurement& found, const MomentLags& lags, const Transport
     require_not_negative(quantity);
   }
   add_with_enskog(found, quantity, enskog);
-  if (plateau.lag > 0) found.add(quantity.name + "_lag", "T", {plateau.lag}).reason = kLagChosen;
+  if (plateau.lag > 0) found.add(quantity.name + "_lag", "T", Estimate{plateau.lag}).reason = kLagChosen;
   found.is_logarithmic_in_argument = true;
   if (times.empty()) return;
   found.add_argument("lag", "T", std::move(times));
-  found.add_estimates(quantity.name, quantity.unit, slopes);
+  found.add(quantity.name, quantity.unit, slopes);
 }
 
 }  // namespace
@@ -302,19 +276,19 @@ void CollectiveTransport<kCoefficient>::record(const VelocityChange& change) {
 }
 
 template <Coefficient kCoefficient>
-Measurement CollectiveTransport<kCoefficient>::result(const Scene& scene) const {
+void CollectiveTransport<kCoefficient>::add_results(const Scene& scene, Measurement& found) const {
   const Kind& kind = kind_of(kCoefficient);
-  Measurement found{
-      .name = std::string(kName), .title = kind.title, .formula = kind.formula, .source = kSource};
   const MomentLags lags = conditions_.obstacle.empty() ? moment_.lags_at(scene.now()) : moment_.lags();
   const double temperature = conditions_.motion.temperature();
-  const double expected = kind.expected(conditions_.theory, temperature);
+  const auto value_of = [&](Theory theory) {
+    return theory == nullptr ? kNoNumber : (conditions_.theory.*theory)(temperature);
+  };
+  const double expected = value_of(kind.expected);
   const double scale = conditions_.obstacle.empty() ? kind.scale(conditions_, temperature) : kNoNumber;
   add_coefficient(
       found, lags, conditions_, scene, kFreeTimesOfAll, scale,
       {.name = kind.quantity, .unit = kind.unit, .theory = expected, .tolerance = kind.tolerance * expected},
-      kind.enskog(conditions_.theory, temperature));
-  return found;
+      value_of(kind.enskog));
 }
 
 template class CollectiveTransport<Coefficient::viscosity>;
@@ -351,16 +325,7 @@ void SelfDiffusion::sample(const Scene& scene) {
   ++samples_;
 }
 
-Measurement SelfDiffusion::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Diffusion",
-      .formula =
-          R"($D = \lim_{t \to \infty} \frac{\langle |\Delta \mathbf{r}|^2 \rangle}{2 d t}$ in $d$ dimensions; )"
-          R"(of an infinite system $D_\infty = D + 2.837\,\frac{kT}{6 \pi \eta L}$ in a cube of edge $L$)",
-      .source =
-          "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; theory: Speedy, Mol. Phys. 62 "
-          "(1987) 509; infinite system: Yeh and Hummer, J. Phys. Chem. B 108 (2004) 15873"};
+void SelfDiffusion::add_results(const Scene& scene, Measurement& found) const {
   const FluidTheory& theory = conditions_.theory;
   const double temperature = conditions_.motion.temperature();
   const double expected = theory.diffusion(temperature);
@@ -370,17 +335,15 @@ Measurement SelfDiffusion::result(const Scene& scene) const {
                    .theory = expected,
                    .tolerance = FluidTheory::kDiffusionTolerance * expected},
                   theory.enskog_diffusion(temperature));
-  const Quantity constant = found.quantities.front();
   const Vec3& size = scene.world().box().size();
   const double missing = theory.diffusion_missing(temperature);
   if (size.x == size.y && size.y == size.z && !std::isnan(missing)) {
-    Quantity infinite = constant;
+    Quantity infinite = found.quantities.front();
     infinite.name = "diffusion_constant_of_infinite_system";
     infinite.value += missing;
     infinite.theory += missing;
     found.quantities.push_back(std::move(infinite));
   }
-  return found;
 }
 
 bool SelfDiffusion::matches(const World& world) const {

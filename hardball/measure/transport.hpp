@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/scene.hpp"
-#include "hardball/statistics/measurement.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/statistics/moment_lags.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/species_list.hpp"
@@ -27,6 +26,37 @@ enum class Coefficient : std::uint8_t { viscosity, bulk_viscosity, thermal_condu
 /// By the number of the coefficient.
 inline constexpr std::array<std::string_view, 4> kCoefficientNames{
     "viscosity", "bulk_viscosity", "thermal_conductivity", "mutual_diffusion"};
+
+/// Where the definitions of transport coefficients are from, and Enskog's theory.
+inline constexpr const char* kSourceOfTransport =
+    "Helfand, Phys. Rev. 119 (1960) 1; Alder, Gass and Wainwright, J. Chem. Phys. 53 (1970) 3813; Enskog: "
+    "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, chapter 16";
+
+/// The definitions of transport coefficients, by the number of the coefficient.
+inline constexpr std::array<Definition, 4> kCoefficientDefinitions{{
+    {.title = "Viscosity",
+     .formula =
+         R"($\eta = \lim_{t \to \infty} \frac{\langle \Delta G_{ab}^2 \rangle}{2 V k T t}$, $\Delta )"
+         R"(G_{ab} = \int \sum m v_a v_b\,dt + \sum_{\text{collisions}} r_a \Delta p_b$; mean over xy, )"
+         R"(xz, yz and the differences of the diagonal)",
+     .source = kSourceOfTransport},
+    {.title = "Bulk viscosity",
+     .formula =
+         R"($\kappa = \lim_{t \to \infty} \frac{\langle (\Delta G - \langle \Delta G \rangle)^2 )"
+         R"(\rangle}{2 V k T t}$, $\Delta G$: a third of the trace of $\Delta G_{ab} = \int \sum m v_a )"
+         R"(v_b\,dt + \sum_{\text{collisions}} r_a \Delta p_b$)",
+     .source = kSourceOfTransport},
+    {.title = "Thermal conductivity",
+     .formula =
+         R"($\lambda = \lim_{t \to \infty} \frac{\langle \Delta Q_a^2 \rangle}{2 V k T^2 t}$, in units )"
+         R"(of $k$; $\Delta Q_a = \int \sum \frac12 m v^2 v_a\,dt + \sum_{\text{collisions}} r_a \Delta )"
+         R"(E_j$)",
+     .source = kSourceOfTransport},
+    {.title = "Mutual diffusion",
+     .formula = R"($D_{12} = \lim_{t \to \infty} \frac{\langle |x_2 \sum_1 \Delta \mathbf{r} - x_1 \sum_2 )"
+                R"(\Delta \mathbf{r}|^2 \rangle}{2 d N x_1 x_2 t}$ in $d$ dimensions, of Maxwell and Stefan)",
+     .source = kSourceOfTransport},
+}};
 
 /// Increments of moments are over this fraction of the mean free time by default [1].
 inline constexpr double kMomentBase = 0.125;
@@ -67,6 +97,7 @@ template <Coefficient kCoefficient>
 class CollectiveTransport {
  public:
   static constexpr std::string_view kName = kCoefficientNames[static_cast<std::size_t>(kCoefficient)];
+  static constexpr Definition kDefinition = kCoefficientDefinitions[static_cast<std::size_t>(kCoefficient)];
   /// Measured where it is named, and not with all others.
   static constexpr bool kIsByName = true;
 
@@ -77,8 +108,8 @@ class CollectiveTransport {
   /// Cost: O(1).
   void record(const Contact& contact);
   void record(const VelocityChange& change);
-  /// The result up to the time of the scene.
-  Measurement result(const Scene& scene) const;
+  /// Adds the results up to the time of the scene.
+  void add_results(const Scene& scene, Measurement& found) const;
 
   const MomentLags& lags() const { return moment_.lags(); }
   /// Whether it can continue with this world; false only if its state is damaged.
@@ -112,6 +143,15 @@ using MutualDiffusion = CollectiveTransport<Coefficient::mutual_diffusion>;
 class SelfDiffusion {
  public:
   static constexpr std::string_view kName = "diffusion";
+  static constexpr Definition kDefinition{
+      .title = "Diffusion",
+      .formula =
+          R"($D = \lim_{t \to \infty} \frac{\langle |\Delta \mathbf{r}|^2 \rangle}{2 d t}$ in $d$ )"
+          R"(dimensions; of an infinite system $D_\infty = D + 2.837\,\frac{kT}{6 \pi \eta L}$ in a cube )"
+          R"(of edge $L$)",
+      .source =
+          "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; theory: Speedy, Mol. Phys. 62 "
+          "(1987) 509; infinite system: Yeh and Hummer, J. Phys. Chem. B 108 (2004) 15873"};
   /// Measured where it is named, and not with all others.
   static constexpr bool kIsByName = true;
   /// Samples are a mean free time apart throughout, as every increment is needed.
@@ -122,7 +162,7 @@ class SelfDiffusion {
 
   /// A sample that is not an interval later than the last is ignored. Cost: 60 ns for each sphere followed.
   void sample(const Scene& scene);
-  Measurement result(const Scene& scene) const;
+  void add_results(const Scene& scene, Measurement& found) const;
   /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const;
 

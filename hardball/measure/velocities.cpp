@@ -9,13 +9,10 @@
 #include <numbers>
 #include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/numbers/no_number.hpp"
-#include "hardball/statistics/qualification.hpp"
-#include "hardball/statistics/transient.hpp"
 #include "hardball/world/images.hpp"
 #include "hardball/world/totals.hpp"
 
@@ -111,15 +108,7 @@ double Temperature::freedom(std::size_t axis, double spheres, double mass) const
                         : mass / std::accumulate(masses_.begin(), masses_.end(), 0.0));
 }
 
-Measurement Temperature::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Temperature",
-      .formula =
-          R"($kT = \frac{1}{f} \sum m v^2$ with $f$ degrees of freedom, one for each sphere and dimension )"
-          R"(less one for each axis without walls)",
-      .source = "Equipartition; Allen and Tildesley, Computer Simulation of Liquids, section 2.4"};
-  using Means = std::span<const double>;
+void Temperature::add_results(const Scene& scene, Measurement& found) const {
   // A part of the energy, and its degrees of freedom.
   struct Part {
     std::string name;
@@ -163,6 +152,7 @@ Measurement Temperature::result(const Scene& scene) const {
     transient = longer(transient, find_transient(up_to_now.energy_, std::array{of_all}, scene.settled()));
   }
   if (!scene.settled().is_steady) transient = {.end = {}, .is_over = false, .reason = kNotSteady};
+  transient.note_in(found);
   const BlockAverage samples = transient.left_out_of(samples_);
 
   Estimate all;
@@ -172,16 +162,14 @@ Measurement Temperature::result(const Scene& scene) const {
   found.add("temperature", kEnergyUnit, all).reason = is_followed_ ? "" : kBegunWithoutEnergy;
   found.add_argument("time", "T",
                      samples_.history([&](Means means) { return begin_.value() + means[kTime]; }));
-  found.add_values("temperature", kEnergyUnit, samples_.history(mean_of(kAll)));
+  found.add("temperature", kEnergyUnit, samples_.history(mean_of(kAll)));
   const double tolerance = scene.has_equilibrium(motion_) ? 0 : kForComparison;
   for (const Part& part : parts) {
     const Estimate share = samples.estimate(share_of(part), BlockAverage::Groups::exchanging);
     found.add(part.name, kEnergyUnit, all * share, all.value, tolerance);
-    found.add_values(part.name, kEnergyUnit,
-                     samples_.history([&](Means means) { return means[part.bin] / part.freedom; }));
+    found.add(part.name, kEnergyUnit,
+              samples_.history([&](Means means) { return means[part.bin] / part.freedom; }));
   }
-  transient.note_in(found);
-  return found;
 }
 
 bool Temperature::restored() const {
@@ -229,22 +217,12 @@ void VelocityDistribution::sample(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement VelocityDistribution::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Velocity distribution",
-      .formula =
-          R"(densities of the components and the magnitude of $\mathbf{c} = \mathbf{v} / \sqrt{kT / m}$; )"
-          R"(theory: Maxwell's, $\frac{1}{\sqrt{2\pi}} \, e^{-c^2 / 2}$ and $\sqrt{2 / \pi} \, c^2 )"
-          R"(e^{-c^2 / 2}$, in two dimensions $c \, e^{-c^2 / 2}$)",
-      .source = "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, section 4.1"};
-  using Means = std::span<const double>;
+void VelocityDistribution::add_results(const Scene& scene, Measurement& found) const {
   const FunctionOfMeans kurtosis_of = [](Means means) {
     return means[kFourth] * means[kSpheres] / (means[kSquare] * means[kSquare]);
   };
-  const Transient transient =
-      find_transient(average_, std::array{kurtosis_of}, scene.settled(), BlockAverage::Groups::exchanging);
-  const BlockAverage average = transient.left_out_of(average_);
+  const BlockAverage average =
+      without_transient(average_, std::array{kurtosis_of}, scene, found, BlockAverage::Groups::exchanging);
   const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
   // 5/3 for many spheres, 2 for many discs; exact where the energy is fixed.
   const double freedom = motion_.degrees_of_freedom;
@@ -260,30 +238,21 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
             theory * std::sqrt(mean_of_maxwell) * mean_over_normal(freedom) *
                 average.ratio(kExpectedSpeed, kSpheres).value,
             tolerance);
-  std::vector<Estimate> components = average.histogram(kComponents, kBins, kSpheres);
   // There are no negative speeds.
   std::vector<Estimate> speeds(kBins / 2);
-  std::ranges::copy(average.histogram(kSpeeds, kBins / 2, kSpheres), std::back_inserter(speeds));
-  std::vector<double> argument;
-  std::vector<double> component_theory;
-  std::vector<double> speed_theory;
-  for (std::size_t bin = 0; bin < kBins; ++bin) {
-    const double low = (static_cast<double>(bin) - kBins / 2) * kWidth;
-    const double high = (static_cast<double>(bin + 1) - kBins / 2) * kWidth;
-    argument.push_back((low + high) / 2);
-    components[bin] = components[bin] / dimensions / kWidth;
-    component_theory.push_back(theory * (component_below(high) - component_below(low)) / kWidth);
-    speeds[bin] = speeds[bin] / kWidth;
-    const double of_speed = speed_below(high, dimensions_) - speed_below(low, dimensions_);
-    speed_theory.push_back(bin >= kBins / 2 ? theory * of_speed / kWidth : kNoNumber);
-  }
-  found.add_argument("reduced_velocity", "1", std::move(argument));
-  found.add_estimates("component_density", "1", components);
-  found.add_theory(std::move(component_theory));
-  found.add_estimates("speed_density", "1", speeds);
-  found.add_theory(std::move(speed_theory));
-  transient.note_in(found);
-  return found;
+  std::ranges::copy(average.histogram(kSpeeds, kBins / 2, kSpheres) / kWidth, std::back_inserter(speeds));
+  const auto edge = [](std::size_t bin) { return (static_cast<double>(bin) - kBins / 2) * kWidth; };
+  found.add_argument("reduced_velocity", "1",
+                     tabulated(kBins, [&](std::size_t bin) { return (edge(bin) + edge(bin + 1)) / 2; }));
+  found.add("component_density", "1", average.histogram(kComponents, kBins, kSpheres) / dimensions / kWidth,
+            tabulated(kBins, [&](std::size_t bin) {
+              return theory * (component_below(edge(bin + 1)) - component_below(edge(bin))) / kWidth;
+            }));
+  found.add("speed_density", "1", speeds, tabulated(kBins, [&](std::size_t bin) {
+              const double share =
+                  speed_below(edge(bin + 1), dimensions_) - speed_below(edge(bin), dimensions_);
+              return bin >= kBins / 2 ? theory * share / kWidth : kNoNumber;
+            }));
 }
 
 }  // namespace hardball

@@ -8,10 +8,8 @@
 
 #include "hardball/interaction/contact.hpp"
 #include "hardball/measure/kinetic_tensor.hpp"
-#include "hardball/measure/scene.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/statistics/block_average.hpp"
-#include "hardball/statistics/measurement.hpp"
 #include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/velocity_change.hpp"
@@ -25,6 +23,12 @@ namespace hardball {
 class Temperature {
  public:
   static constexpr std::string_view kName = "temperature";
+  static constexpr Definition kDefinition{
+      .title = "Temperature",
+      .formula =
+          R"($kT = \frac{1}{f} \sum m v^2$ with $f$ degrees of freedom, one for each sphere and dimension )"
+          R"(less one for each axis without walls)",
+      .source = "Equipartition; Allen and Tildesley, Computer Simulation of Liquids, section 2.4"};
 
   explicit Temperature(const Scene& scene);
 
@@ -36,8 +40,8 @@ class Temperature {
   /// Cost: O(n).
   void sample(const Scene& scene);
   void halve_weights() { samples_.halve_weights(); }
-  /// The result up to the time of the scene.
-  Measurement result(const Scene& scene) const;
+  /// Adds the results up to the time of the scene.
+  void add_results(const Scene& scene, Measurement& found) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const { return species_.matches(world); }
@@ -76,6 +80,13 @@ class Temperature {
 class VelocityDistribution {
  public:
   static constexpr std::string_view kName = "velocity_distribution";
+  static constexpr Definition kDefinition{
+      .title = "Velocity distribution",
+      .formula =
+          R"(densities of the components and the magnitude of $\mathbf{c} = \mathbf{v} / \sqrt{kT / m}$; )"
+          R"(theory: Maxwell's, $\frac{1}{\sqrt{2\pi}} \, e^{-c^2 / 2}$ and $\sqrt{2 / \pi} \, c^2 )"
+          R"(e^{-c^2 / 2}$, in two dimensions $c \, e^{-c^2 / 2}$)",
+      .source = "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, section 4.1"};
 
   explicit VelocityDistribution(const Scene& scene);
 
@@ -84,8 +95,8 @@ class VelocityDistribution {
   /// Cost: O(n).
   void sample(const Scene& scene);
   void halve_weights() { average_.halve_weights(); }
-  /// The result up to the time of the scene.
-  Measurement result(const Scene& scene) const;
+  /// Adds the results up to the time of the scene.
+  void add_results(const Scene& scene, Measurement& found) const;
 
  private:
   friend class Persistence;

@@ -93,16 +93,8 @@ void WallForces::record(const Contact& contact) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) along[axis] += tangential[axis];
 }
 
-Measurement WallForces::result(const Scene& scene) const {
-  Measurement found{
-      .name = std::string(kName),
-      .title = "Forces on walls",
-      .formula = R"($F = \frac{1}{t} \sum p$ of the normal impulses $p$; pressure $F / A$ on an area )"
-                 R"($A$; tangential force and shear stress: the same of the other components; power )"
-                 R"($\frac{1}{t} \sum \mathbf{p} \cdot \mathbf{u}$ at velocities $\mathbf{u}$ of the wall; )"
-                 R"(heat: other energy given to spheres, over $t$)",
-      .source = "momentum and energy of each contact"};
-  if (walls_.empty()) return found;
+void WallForces::add_results(const Scene& scene, Measurement& found) const {
+  if (walls_.empty()) return;
   WallForces up_to_now = *this;
   up_to_now.advance(scene.now());
   const BlockAverage& average = up_to_now.average_;
@@ -128,7 +120,6 @@ Measurement WallForces::result(const Scene& scene) const {
     add("power", "M L^2 T^-3", average.exchange(kBins * i + kWork, stored_bin()));
     add("heat", "M L^2 T^-3", average.exchange(kBins * i + kHeat, stored_bin()));
   }
-  return found;
 }
 
 bool WallForces::restored() const {

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/scene.hpp"
-#include "hardball/statistics/block_average.hpp"
-#include "hardball/statistics/measurement.hpp"
+#include "hardball/measure/result.hpp"
 #include "hardball/world/velocity_change.hpp"
 
 namespace hardball {
@@ -30,14 +28,22 @@ std::vector<std::uint32_t> measured_walls(const World& world);
 class WallForces {
  public:
   static constexpr std::string_view kName = "wall_forces";
+  static constexpr Definition kDefinition{
+      .title = "Forces on walls",
+      .formula =
+          R"($F = \frac{1}{t} \sum p$ of the normal impulses $p$; pressure $F / A$ on an area $A$; )"
+          R"(tangential force and shear stress: the same of the other components; power $\frac{1}{t} \sum )"
+          R"(\mathbf{p} \cdot \mathbf{u}$ at velocities $\mathbf{u}$ of the wall; heat: other energy )"
+          R"(given to spheres, over $t$)",
+      .source = "momentum and energy of each contact"};
 
   explicit WallForces(const Scene& scene);
 
   void record(const Contact& contact);
   /// Records a change of velocity by the thermostat.
   void record(const VelocityChange& change);
-  /// The result up to the time of the scene.
-  Measurement result(const Scene& scene) const;
+  /// Adds the results up to the time of the scene.
+  void add_results(const Scene& scene, Measurement& found) const;
 
   /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const { return indices_.size() == kFaces + world.surfaces().size(); }

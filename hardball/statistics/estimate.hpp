@@ -36,18 +36,29 @@ inline Estimate operator*(double factor, const Estimate& estimate) {
 inline Estimate operator/(const Estimate& estimate, double unit) {
   return {estimate.value / unit, estimate.error / unit};
 }
+inline std::vector<Estimate> operator*(double factor, std::vector<Estimate> estimates) {
+  for (Estimate& estimate : estimates) estimate = factor * estimate;
+  return estimates;
+}
+inline std::vector<Estimate> operator/(std::vector<Estimate> estimates, double unit) {
+  for (Estimate& estimate : estimates) estimate = estimate / unit;
+  return estimates;
+}
+
+/// Several means, by their bins.
+using Means = std::span<const double>;
 
 /// A function of several means, such as a ratio or a fit.
-using FunctionOfMeans = std::function<double(std::span<const double> means)>;
+using FunctionOfMeans = std::function<double(Means means)>;
 
 /// One of the means.
 inline FunctionOfMeans mean_of(std::size_t bin) {
-  return [bin](std::span<const double> means) { return means[bin]; };
+  return [bin](Means means) { return means[bin]; };
 }
 
 /// One of the means over another.
 inline FunctionOfMeans ratio_of(std::size_t bin, std::size_t over) {
-  return [=](std::span<const double> means) { return means[bin] / means[over]; };
+  return [=](Means means) { return means[bin] / means[over]; };
 }
 
 /// A number computed from parts, and by how much each part moved it.

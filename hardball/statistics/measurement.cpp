@@ -27,31 +27,21 @@ void Measurement::add_argument(std::string column, std::string unit, std::vector
   columns.push_back({std::move(column), std::move(unit), ColumnRole::argument, std::move(values)});
 }
 
-void Measurement::add_values(std::string column, std::string unit, std::vector<double> values) {
+void Measurement::add(std::string column, std::string unit, std::vector<double> values) {
   columns.push_back({std::move(column), std::move(unit), ColumnRole::value, std::move(values)});
 }
 
-void Measurement::add_estimates(const std::string& column, const std::string& unit,
-                                const std::vector<Estimate>& estimates) {
-  std::vector<double> values;
-  std::vector<double> errors;
-  for (const Estimate& estimate : estimates) {
-    values.push_back(estimate.value);
-    errors.push_back(estimate.error);
-  }
-  add_values(column, unit, std::move(values));
-  columns.push_back({column + "_error", unit, ColumnRole::error, std::move(errors)});
-}
-
-void Measurement::add_theory(std::vector<double> values) {
-  const Column& estimates = columns[columns.size() - 2];
-  columns.push_back({estimates.name + "_theory", estimates.unit, ColumnRole::theory, std::move(values)});
+void Measurement::add(const std::string& column, const std::string& unit,
+                      const std::vector<Estimate>& estimates, std::optional<std::vector<double>> theory) {
+  const std::size_t rows = estimates.size();
+  add(column, unit, tabulated(rows, [&](std::size_t row) { return estimates[row].value; }));
+  columns.push_back({column + "_error", unit, ColumnRole::error,
+                     tabulated(rows, [&](std::size_t row) { return estimates[row].error; })});
+  if (theory) columns.push_back({column + "_theory", unit, ColumnRole::theory, std::move(*theory)});
 }
 
 std::vector<double> bin_middles(double low, double width, std::size_t bins) {
-  std::vector<double> middles(bins);
-  for (std::size_t bin = 0; bin < bins; ++bin) middles[bin] = low + (static_cast<double>(bin) + 0.5) * width;
-  return middles;
+  return tabulated(bins, [&](std::size_t bin) { return low + (static_cast<double>(bin) + 0.5) * width; });
 }
 
 std::string columns_csv(const Measurement& measurement) {

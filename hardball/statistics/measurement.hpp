@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
@@ -74,12 +76,11 @@ struct HARDBALL_EXPORT Measurement {
   /// Adds the argument of the columns that are added after it.
   void add_argument(std::string column, std::string unit, std::vector<double> values);
   /// Adds a column without errors, such as a history.
-  void add_values(std::string column, std::string unit, std::vector<double> values);
-  /// Adds a column and that of its errors, named with "_error".
-  void add_estimates(const std::string& column, const std::string& unit,
-                     const std::vector<Estimate>& estimates);
-  /// Adds the theory of the estimates that were added last, named with "_theory".
-  void add_theory(std::vector<double> values);
+  void add(std::string column, std::string unit, std::vector<double> values);
+  /// Adds a column, that of its errors, named with "_error", and if there is a theory that of the expected
+  /// values, named with "_theory".
+  void add(const std::string& column, const std::string& unit, const std::vector<Estimate>& estimates,
+           std::optional<std::vector<double>> theory = {});
 
   static void persist(auto& archive, auto& self) {
     archive(self.name, self.title, self.formula, self.source, self.quantities, self.columns, self.duration,
@@ -87,6 +88,15 @@ struct HARDBALL_EXPORT Measurement {
             self.is_logarithmic_in_value, self.unsettled);
   }
 };
+
+/// The values of a function at 0, 1, ..., count - 1.
+template <class Function>
+auto tabulated(std::size_t count, const Function& function) {
+  std::vector<std::invoke_result_t<Function, std::size_t>> values;
+  values.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) values.push_back(function(k));
+  return values;
+}
 
 /// The middles of bins of equal width, the first of which begins at `low`.
 HARDBALL_EXPORT std::vector<double> bin_middles(double low, double width, std::size_t bins);

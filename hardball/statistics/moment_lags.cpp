@@ -54,7 +54,7 @@ Estimate MomentLags::slope(std::size_t level) const {
   const double time = lag(level);
   // The mean is that of the run, so that part of each square is missing.
   const double kept = has_mean_ ? 1 - 3 * time / elapsed_ : 1;
-  return average.estimate([&](std::span<const double> means) {
+  return average.estimate([&](Means means) {
     constexpr double kOfMean = 0.75;
     const double of_mean = has_mean_ ? kOfMean * means[kIncrement] * means[kIncrement] : 0;
     return (means[kExcess] - of_mean) / (time * kept);

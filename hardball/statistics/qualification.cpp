@@ -30,6 +30,14 @@ double widened(double error, double value, const std::string& unit, const StartS
   return std::hypot(error, sensitivity * spread.temperature * value);
 }
 
+// Removes the errors of all quantities, and those of columns.
+void leave_all_open(Measurement& measurement, const std::string& reason) {
+  leave_quantities_open(measurement, reason);
+  for (Column& column : measurement.columns) {
+    if (column.role == ColumnRole::error) std::ranges::fill(column.values, kNoNumber);
+  }
+}
+
 void widen(Measurement& measurement, const StartSpread& spread) {
   for (Quantity& quantity : measurement.quantities)
     quantity.error = widened(quantity.error, quantity.value, quantity.unit, spread);
@@ -51,11 +59,12 @@ void leave_open(Quantity& quantity, const std::string& reason) {
   if (quantity.reason.empty()) quantity.reason = reason;
 }
 
-void leave_all_open(Measurement& measurement, const std::string& reason) {
+void leave_quantities_open(Measurement& measurement, const std::string& reason) {
   for (Quantity& quantity : measurement.quantities) leave_open(quantity, reason);
-  for (Column& column : measurement.columns) {
-    if (column.role == ColumnRole::error) std::ranges::fill(column.values, kNoNumber);
-  }
+}
+
+void leave_unsettled_open(Measurement& measurement) {
+  if (!measurement.is_transient_over) leave_all_open(measurement, measurement.unsettled);
 }
 
 void leave_out(Quantity& quantity, const std::string& reason) {
@@ -71,9 +80,9 @@ void qualify(Measurement& measurement, const Settled& settled) {
   constexpr double kLongPart = 0.125;
   if (settled.spread.temperature > 0) widen(measurement, settled.spread);
   if (!settled.is_over) {
-    leave_all_open(measurement, settled.reason);
     measurement.is_transient_over = false;
     measurement.unsettled = settled.reason;
+    leave_unsettled_open(measurement);
   } else if (measurement.transient < settled.end && settled.end > kLongPart * measurement.duration) {
     leave_all_open(measurement, kFromTheStart);
   }

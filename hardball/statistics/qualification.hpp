@@ -34,8 +34,11 @@ inline constexpr const char* kNotSteady = "the temperature keeps changing and th
 /// then for comparison only.
 void leave_open(Quantity& quantity, const std::string& reason);
 
-/// Removes the errors of all quantities, and those of columns, as leave_open() does for one.
-void leave_all_open(Measurement& measurement, const std::string& reason);
+/// Removes the errors of all quantities, as leave_open() does for one.
+void leave_quantities_open(Measurement& measurement, const std::string& reason);
+
+/// Removes the errors of all quantities and columns of a finished measurement if its transient is not over.
+void leave_unsettled_open(Measurement& measurement);
 
 /// Removes the value and the error of a quantity, for a reason without a comma.
 void leave_out(Quantity& quantity, const std::string& reason);

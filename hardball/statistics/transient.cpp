@@ -106,9 +106,7 @@ BlockAverage Transient::left_out_of(const BlockAverage& average) const {
 void Transient::note_in(Measurement& measurement) const {
   measurement.transient = end.value_or(0);
   measurement.is_transient_over = is_over;
-  if (is_over) return;
   measurement.unsettled = reason;
-  leave_all_open(measurement, reason);
 }
 
 }  // namespace hardball

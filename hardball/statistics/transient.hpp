@@ -21,8 +21,8 @@ struct Transient {
   /// An average without it.
   BlockAverage left_out_of(const BlockAverage& average) const;
 
-  /// Records in a finished measurement what was left out. If the transient is not over, the means depend on
-  /// the length of the run: their errors are removed, and the theory is for comparison only.
+  /// Records in a measurement what was left out. If the transient is not over, the means depend on the length
+  /// of the run: see leave_unsettled_open().
   void note_in(Measurement& measurement) const;
 };
 

@@ -127,14 +127,14 @@ TEST(StructureOfDiscs, HasTheContactValuesOfThePressure) {
     gaps.sample({simulation.world(), simulation.now()});
   }
   const Scene scene(simulation.world(), simulation.now());
-  const Quantity contact = quantity(pairs.result(scene), "contact_value");
+  const Quantity contact = quantity(result_of(pairs, scene), "contact_value");
   const double expected = (simulation.tally().compressibility(simulation.now()) - 1) / (2 * kPacking);
   support::record("contact_value", contact.value / expected);
   EXPECT_LT(contact.error, 0.02 * expected);
   EXPECT_NEAR(contact.value, expected, 4 * contact.error + 2e-3 * expected);
   EXPECT_NEAR(contact.theory / expected, 1, 0.01);
   // By scaled-particle theory for the space around a disc, good to some parts in 100.
-  const Quantity gap = quantity(gaps.result(scene), "mean_gap");
+  const Quantity gap = quantity(result_of(gaps, scene), "mean_gap");
   support::record("mean_gap", gap.value / gap.theory);
   EXPECT_NEAR(gap.value / gap.theory, 1, 4 * gap.error / gap.theory + 0.01);
 }
@@ -147,7 +147,7 @@ TEST(StructureOfDiscs, HasThePressureOfTheWallsAtContact) {
     measure.sample({simulation.world(), simulation.now()});
   }
   const Quantity pressure =
-      quantity(measure.result({simulation.world(), simulation.now()}), "pressure_at_walls");
+      quantity(result_of(measure, {simulation.world(), simulation.now()}), "pressure_at_walls");
   const double expected = simulation.tally().wall_pressure(simulation.world().box(), simulation.now());
   support::record("pressure_at_walls", pressure.value / expected);
   EXPECT_LT(pressure.error, 0.03 * expected);
@@ -165,7 +165,7 @@ TEST(CrystalOfDiscs, HasHexaticOrderAndItsPressure) {
       measure.sample({simulation.world(), simulation.now()});
     }
     if (compressibility) *compressibility = simulation.tally().compressibility(simulation.now());
-    return quantity(measure.result({simulation.world(), simulation.now()}), "Psi6").value;
+    return quantity(result_of(measure, {simulation.world(), simulation.now()}), "Psi6").value;
   };
   EXPECT_LT(order_at(0.6, nullptr), 0.1);
   double compressibility = 0;

@@ -42,7 +42,7 @@ TEST(RadialDistribution, HasTheContactValueOfThePressure) {
   Simulation simulation(settled(make_gas({.count = kSpheres, .packing_fraction = kPacking, .seed = 61}), 40));
   RadialDistribution measure({simulation.world(), simulation.now()});
   watch(simulation, 300, 1, [&](const Scene& scene) { measure.sample(scene); });
-  const Measurement found = measure.result({simulation.world(), simulation.now()});
+  const Measurement found = result_of(measure, {simulation.world(), simulation.now()});
   const Quantity& contact = quantity(found, "contact_value");
   const double from_pressure = (simulation.tally().compressibility(simulation.now()) - 1) / (4 * kPacking);
   const double expected = (fluid_compressibility(kPacking) - 1) / (4 * kPacking);
@@ -74,7 +74,7 @@ TEST(StructureFactor, AgreesWithPercusAndYevickAtPackingFraction20) {
   Simulation simulation(settled(make_gas({.count = 2000, .packing_fraction = 0.2, .seed = 62}), 20));
   StructureFactor measure({simulation.world(), simulation.now()});
   watch(simulation, 320, 2, [&](const Scene& scene) { measure.sample(scene); });
-  const Measurement found = measure.result({simulation.world(), simulation.now()});
+  const Measurement found = result_of(measure, {simulation.world(), simulation.now()});
   const std::vector<double>& value = column(found, "structure_factor").values;
   const std::vector<double>& error = column(found, "structure_factor_error").values;
   const std::vector<double>& theory = column(found, "structure_factor_theory").values;
@@ -100,7 +100,7 @@ TEST(NearestNeighbor, AgreesWithTorquatoAtPackingFraction20) {
   Simulation simulation(settled(make_gas({.count = 2000, .packing_fraction = 0.2, .seed = 63}), 20));
   NearestNeighbor measure({simulation.world(), simulation.now()});
   watch(simulation, 200, 2, [&](const Scene& scene) { measure.sample(scene); });
-  const Quantity gap = quantity(measure.result({simulation.world(), simulation.now()}), "mean_gap");
+  const Quantity gap = quantity(result_of(measure, {simulation.world(), simulation.now()}), "mean_gap");
   record("relative_deviation", gap.value / gap.theory - 1);
   EXPECT_LT(gap.error, 0.003 * gap.theory);
   EXPECT_NEAR(gap.value, gap.theory, 4 * gap.error + 0.005 * gap.theory);
@@ -115,7 +115,7 @@ TEST(DensityProfiles, HaveThePressureOfTheWallsAtContact) {
   DensityProfiles measure({simulation.world(), simulation.now()});
   watch(simulation, 3000, 0.5, [&](const Scene& scene) { measure.sample(scene); });
   const Quantity pressure =
-      quantity(measure.result({simulation.world(), simulation.now()}), "pressure_at_walls");
+      quantity(result_of(measure, {simulation.world(), simulation.now()}), "pressure_at_walls");
   const double expected = simulation.tally().wall_pressure(simulation.world().box(), simulation.now());
   record("pressure_at_walls", pressure.value);
   record("error", pressure.error);
@@ -132,7 +132,7 @@ TEST(BondOrder, DistinguishesTheCrystalFromTheFluid) {
         make_gas({.count = 2048, .packing_fraction = packing_fraction, .seed = 65, .start = start}), 20));
     BondOrder measure({simulation.world(), simulation.now()});
     watch(simulation, 20, 1, [&](const Scene& scene) { measure.sample(scene); });
-    return quantity(measure.result({simulation.world(), simulation.now()}), "Q6").value;
+    return quantity(result_of(measure, {simulation.world(), simulation.now()}), "Q6").value;
   };
   EXPECT_LT(order(0.3, Start::random), 0.04);
   const double crystal = order(0.6, Start::fcc);

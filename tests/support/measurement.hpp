@@ -50,7 +50,7 @@ template <class Measure, class... Settings>
 Measurement measured(const World& world, const Settings&... settings) {
   Measure measure({world, Time(0)}, settings...);
   measure.sample({world, Time(0)});
-  return measure.result({world, Time(0)});
+  return result_of(measure, {world, Time(0)});
 }
 
 }  // namespace hardball::support

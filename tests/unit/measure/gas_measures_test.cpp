@@ -50,7 +50,7 @@ TEST(CollisionRate, CountsEachSphereAndPairOfSpecies) {
   rate.record(collision(12, 1, 2));
   rate.record(collision(13, 1, 2));
   rate.record(wall_contact(14, 0));
-  const Measurement found = rate.result({world, Time(14)});
+  const Measurement found = result_of(rate, {world, Time(14)});
   EXPECT_EQ(quantity(found, "collisions").value, 3);
   EXPECT_EQ(quantity(found, "wall_contacts").value, 1);
   // Two spheres collide at each collision, of three, in 4 units of time.
@@ -68,7 +68,7 @@ TEST(CollisionRate, CountsEachSphereAndPairOfSpecies) {
 TEST(CollisionRate, HasNoFreeTimeWithoutCollisions) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{2, 2, 2}, {2, 0, 0}, 0.5});
-  const Measurement found = CollisionRate({world, Time(0)}).result({world, Time(5)});
+  const Measurement found = result_of(CollisionRate({world, Time(0)}), {world, Time(5)});
   EXPECT_EQ(quantity(found, "collision_rate").value, 0);
   EXPECT_TRUE(std::isnan(quantity(found, "mean_free_time").value));
   EXPECT_FALSE(has_quantity(found, "wall_rate"));
@@ -83,7 +83,7 @@ TEST(CollisionRate, HasTheTheoryOfADiluteGas) {
     const double v = i % 2 == 0 ? 1 : -1;
     world.add({{x, x, x}, {v, v, v}, kRadius, i < 4 ? 1.0 : 4.0});
   }
-  const Measurement found = CollisionRate({world, Time(0)}).result({world, Time(1)});
+  const Measurement found = result_of(CollisionRate({world, Time(0)}), {world, Time(1)});
   const double temperature = (4 * 3 + 4 * 12) / (3.0 * 7);
   const double area = std::numbers::pi * 4 * kRadius * kRadius;
   // Seven others rather than eight, and the mean of a motion of fixed energy in 21 degrees of freedom.
@@ -112,7 +112,7 @@ TEST(ImpactSpeeds, AreThoseAlongTheLineOfCenters) {
   const World world = make_gas({.count = 1000, .seed = 3});
   ImpactSpeeds speeds({world, Time(0)});
   for (const double speed : {1.0, 2.0, 2.0, 3.0}) speeds.record(collision_at(speed));
-  const Measurement found = speeds.result({world, Time(1)});
+  const Measurement found = result_of(speeds, {world, Time(1)});
   EXPECT_EQ(quantity(found, "mean_impact_speed").value, 2);
   EXPECT_EQ(quantity(found, "mean_square_impact_speed").value, 4.5);
   const Column& speed = column(found, "impact_speed");
@@ -135,7 +135,7 @@ TEST(ImpactSpeeds, HaveRayleighsDistributionForManySpheres) {
   const World world = make_gas({.count = 4000, .seed = 3});
   ImpactSpeeds speeds({world, Time(0)});
   speeds.record(collision_at(1));
-  const Measurement found = speeds.result({world, Time(1)});
+  const Measurement found = result_of(speeds, {world, Time(1)});
   EXPECT_NEAR(quantity(found, "mean_impact_speed").theory, std::sqrt(std::numbers::pi * temperature), 2e-4);
   EXPECT_NEAR(quantity(found, "mean_square_impact_speed").theory, 4 * temperature, 1e-3);
   const Column& speed = column(found, "impact_speed");
@@ -154,7 +154,7 @@ TEST(ImpactSpeeds, AreExactForTwoSpheres) {
   world.add({{4, 4, 4}, {-1, 0, 0}, 0.5});
   ImpactSpeeds speeds({world, Time(0)});
   speeds.record(collision_at(1));
-  const Measurement found = speeds.result({world, Time(1)});
+  const Measurement found = result_of(speeds, {world, Time(1)});
   EXPECT_NEAR(quantity(found, "mean_impact_speed").theory, 2 * 2.0 / 3, 1e-12);
   EXPECT_NEAR(quantity(found, "mean_square_impact_speed").theory, 4 * 0.5, 1e-12);
 }
@@ -165,7 +165,7 @@ TEST(ImpactSpeeds, HaveNoTheoryOutOfEquilibrium) {
   open.add({{4, 4, 4}, {-1, 0, 0}, 0.5});
   ImpactSpeeds speeds({open, Time(0)});
   speeds.record(collision_at(1));
-  EXPECT_TRUE(std::isnan(quantity(speeds.result({open, Time(1)}), "mean_impact_speed").theory));
+  EXPECT_TRUE(std::isnan(quantity(result_of(speeds, {open, Time(1)}), "mean_impact_speed").theory));
 }
 
 // The pressure in a run.
@@ -174,7 +174,7 @@ Measurement pressure_of(Simulation& simulation, const RunLimits& limits) {
   simulation.on_contact([&](const Contact& contact) { pressure.record(contact); });
   simulation.run(limits);
   simulation.on_contact(nullptr);
-  return pressure.result({simulation.world(), simulation.now()});
+  return result_of(pressure, {simulation.world(), simulation.now()});
 }
 
 // Two spheres of diameter 1 and mass 2 meet head-on at relative speed 4, at 1, 3.25 and 5.5.
@@ -258,17 +258,18 @@ TEST(Pressure, HasNoTheoryWhereEnergyIsLost) {
   Simulation simulation(
       interacting(make_gas({.count = 100, .packing_fraction = 0.2, .seed = 6}), Restitution(0.9)));
   Pressure pressure({simulation.world(), simulation.now()});
-  EXPECT_GT(quantity(pressure.result({simulation.world(), simulation.now()}), "compressibility").theory, 2);
+  EXPECT_GT(quantity(result_of(pressure, {simulation.world(), simulation.now()}), "compressibility").theory,
+            2);
   simulation.on_contact([&](const Contact& contact) { pressure.record(contact); });
   simulation.run_contacts(100);
   EXPECT_TRUE(std::isnan(
-      quantity(pressure.result({simulation.world(), simulation.now()}), "compressibility").theory));
+      quantity(result_of(pressure, {simulation.world(), simulation.now()}), "compressibility").theory));
 }
 
 TEST(Pressure, HasNoMeaningInOpenSpace) {
   const World world = make_gas({.count = 10, .boundary = Boundary::open});
   const Pressure pressure({world, Time(0)});
-  EXPECT_TRUE(pressure.result({world, Time(1)}).quantities.empty());
+  EXPECT_TRUE(result_of(pressure, {world, Time(1)}).quantities.empty());
 }
 
 // Two light and two heavy spheres, which drift together.
@@ -285,7 +286,7 @@ TEST(Temperature, CountsMotionRelativeToTheDriftInAPeriodicBox) {
   const World world = mixture({5, -7, 1}, Box::periodic({10, 10, 10}));
   Temperature temperature({world, Time(3)});
   temperature.sample({world, Time(4)});
-  const Measurement found = temperature.result({world, Time(4)});
+  const Measurement found = result_of(temperature, {world, Time(4)});
   // Twice the energy is 8 + 6, and there are 3 * 4 - 3 degrees of freedom.
   EXPECT_NEAR(quantity(found, "temperature").value, 14.0 / 9, 1e-12);
   EXPECT_NEAR(quantity(found, "temperature_along_x").value, 8.0 / 3, 1e-12);
@@ -311,7 +312,7 @@ TEST(Temperature, OfOneKindHasNoSpecies) {
   world.add({{2, 2, 2}, {2, 0, 0}, 0.5});
   world.add({{4, 4, 4}, {-2, 0, 0}, 0.5});
   EXPECT_FALSE(
-      has_quantity(Temperature({world, Time(0)}).result({world, Time(0)}), "temperature_of_species_1"));
+      has_quantity(result_of(Temperature({world, Time(0)}), {world, Time(0)}), "temperature_of_species_1"));
 }
 
 // A spin of w about each axis has I w^2 = k T in equilibrium.
@@ -325,7 +326,7 @@ TEST(Temperature, CountsSpins) {
   EXPECT_NEAR(quantity(found, "temperature").value, 1.0 / 6, 1e-15);
   const World still = mixture({}, Box::walls({10, 10, 10}));
   EXPECT_FALSE(
-      has_quantity(Temperature({still, Time(0)}).result({still, Time(0)}), "rotational_temperature"));
+      has_quantity(result_of(Temperature({still, Time(0)}), {still, Time(0)}), "rotational_temperature"));
 }
 
 TEST(Temperature, OfDiscsCountsSpinsAboutOneAxis) {
@@ -337,7 +338,7 @@ TEST(Temperature, OfDiscsCountsSpinsAboutOneAxis) {
              .inertia_factor = 0.5});
   Temperature temperature({world, Time(0)});
   temperature.sample({world, Time(0)});
-  EXPECT_NEAR(quantity(temperature.result({world, Time(0)}), "rotational_temperature").value, 0.125 * 9,
+  EXPECT_NEAR(quantity(result_of(temperature, {world, Time(0)}), "rotational_temperature").value, 0.125 * 9,
               1e-15);
 }
 
@@ -347,7 +348,7 @@ TEST(Temperature, TellsSpeciesApartThatDifferInNothingElse) {
   world.add({.position = {5, 5, 5}, .velocity = {2, 0, 0}, .radius = 0.5, .species = 4});
   Temperature temperature({world, Time(0)});
   temperature.sample({world, Time(0)});
-  EXPECT_NEAR(quantity(temperature.result({world, Time(0)}), "temperature_of_species_2").value, 4.0 / 3,
+  EXPECT_NEAR(quantity(result_of(temperature, {world, Time(0)}), "temperature_of_species_2").value, 4.0 / 3,
               1e-15);
 }
 
@@ -472,7 +473,7 @@ TEST(VelocityDistribution, IsOfVelocitiesInUnitsOfTheThermalOne) {
 
 TEST(VelocityDistribution, HasMaxwellsAsTheory) {
   const World world = equal_speeds();
-  const Measurement found = VelocityDistribution({world, Time(0)}).result({world, Time(0)});
+  const Measurement found = result_of(VelocityDistribution({world, Time(0)}), {world, Time(0)});
   const Column& argument = column(found, "reduced_velocity");
   double components = 0;
   double speeds = 0;
@@ -495,7 +496,7 @@ TEST(VelocityDistribution, OfSpheresAtRestIsEmpty) {
   world.add({{4, 4, 4}, {}, 0.5});
   VelocityDistribution velocities({world, Time(0)});
   velocities.sample({world, Time(0)});
-  EXPECT_TRUE(std::isnan(quantity(velocities.result({world, Time(0)}), "speed_kurtosis").value));
+  EXPECT_TRUE(std::isnan(quantity(result_of(velocities, {world, Time(0)}), "speed_kurtosis").value));
 }
 
 }  // namespace

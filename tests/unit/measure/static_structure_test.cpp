@@ -40,7 +40,7 @@ Measurement of_ideal_gases(const Box& box, const std::vector<double>& radii, std
   Measure measure({first, Time(0)}, settings...);
   for (std::uint64_t sample = 0; sample < samples; ++sample)
     measure.sample({make_ideal_gas(box, radii, sample), Time(0)});
-  return measure.result({first, Time(0)});
+  return result_of(measure, {first, Time(0)});
 }
 
 // The number of neighbors closer than a distance, from g(r) in a periodic box.
@@ -342,7 +342,7 @@ TEST(StructureFactor, NeedsLittleMemoryForTinySpheres) {
   StructureFactor factor(scene);
   EXPECT_LT(factor.sample_cost(), 1e7);
   factor.sample(scene);
-  const Measurement found = factor.result(scene);
+  const Measurement found = result_of(factor, scene);
   for (const double value : found.columns[1].values) EXPECT_TRUE(std::isfinite(value));
 }
 

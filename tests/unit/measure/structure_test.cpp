@@ -72,7 +72,7 @@ Run run(const EngineOptions& options, std::uint64_t samples) {
     measure.sample({simulation.world(), simulation.now()});
   }
   EXPECT_EQ(simulation.counters().contacts(), kContacts);
-  return {simulation.event_log_hash(), bits_of(measure.result({simulation.world(), simulation.now()}))};
+  return {simulation.event_log_hash(), bits_of(result_of(measure, {simulation.world(), simulation.now()}))};
 }
 
 TYPED_TEST(Structure, IsTheSameForEveryEngineAndAltersNothing) {
@@ -99,7 +99,7 @@ TYPED_TEST(Structure, DoesNotDependOnWhereSpheresAreStored) {
   world.reorder(order);
   TypeParam reordered({world, Time(0)});
   reordered.sample({world, Time(0)});
-  EXPECT_EQ(bits_of(reordered.result({world, Time(0)})), bits_of(measure.result({world, Time(0)})));
+  EXPECT_EQ(bits_of(result_of(reordered, {world, Time(0)})), bits_of(result_of(measure, {world, Time(0)})));
 }
 
 TYPED_TEST(Structure, AcceptsSmallAndStrangeWorlds) {
@@ -109,7 +109,7 @@ TYPED_TEST(Structure, AcceptsSmallAndStrangeWorlds) {
     EXPECT_GE(measure.sample_cost(), 0);
     measure.sample({made.world, Time(0)});
     measure.sample({made.world, Time(made.until / 100)});
-    const Measurement found = measure.result({made.world, Time(0)});
+    const Measurement found = result_of(measure, {made.world, Time(0)});
     EXPECT_EQ(found.name, TypeParam::kName);
     for (const Column& column : found.columns) {
       EXPECT_EQ(column.values.size(), found.columns.front().values.size());
@@ -120,7 +120,7 @@ TYPED_TEST(Structure, AcceptsSmallAndStrangeWorlds) {
   const World empty;
   TypeParam nothing({empty, Time(0)});
   nothing.sample({empty, Time(0)});
-  const Measurement found = nothing.result({empty, Time(0)});
+  const Measurement found = result_of(nothing, {empty, Time(0)});
   EXPECT_TRUE(found.columns.empty() || found.columns[0].name != "");
 }
 

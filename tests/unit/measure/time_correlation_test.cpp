@@ -122,7 +122,7 @@ TEST(MeanSquareDisplacement, OfFreeFlightIsItsSquare) {
   const World world = two_streams();
   MeanSquareDisplacement displacement({world, Time(0)}, 0.75);
   for (int tick = 0; tick <= 40; ++tick) displacement.sample({world, Time(0.75 * tick)});
-  const Measurement found = displacement.result({world, Time(30)});
+  const Measurement found = result_of(displacement, {world, Time(30)});
   const Column& lags = column(found, "lag");
   EXPECT_EQ(lags.values.front(), 0.75);
   EXPECT_EQ(lags.values.back(), 0.75 * 32);
@@ -139,7 +139,7 @@ TEST(MeanSquareDisplacement, DoesNotCountTheDrift) {
   world.add({{1, 6, 8}, {4, -1, 0}, 0.5});
   MeanSquareDisplacement displacement({world, Time(0)}, 1);
   for (int tick = 0; tick <= 7; ++tick) displacement.sample({world, Time(tick)});
-  const Measurement found = displacement.result({world, Time(7)});
+  const Measurement found = result_of(displacement, {world, Time(7)});
   EXPECT_NEAR(values(found, "mean_square_displacement")[6], 49, 1e-9);
   EXPECT_TRUE(std::isnan(quantity(found, "diffusion_constant").value)) << "free flight has no linear part";
 }
@@ -167,7 +167,7 @@ TEST(MeanSquareDisplacement, OfARandomWalkGrowsByItsDiffusionConstant) {
           place[axis] += random.uniform() < 0.5 ? kRadius : -kRadius;
       }
     }
-    const Measurement found = displacement.result({start, Time(kSteps)});
+    const Measurement found = result_of(displacement, {start, Time(kSteps)});
     const Quantity& constant = quantity(found, "diffusion_constant");
     constexpr double kExpected = kRadius * kRadius / 2;
     EXPECT_LT(constant.error, 0.1 * kExpected);
@@ -179,7 +179,7 @@ TEST(VelocityAutocorrelation, OfFreeFlightStaysAndItsIntegralGrows) {
   const World world = two_streams();
   VelocityAutocorrelation velocities({world, Time(0)}, 0.5);
   for (int tick = 0; tick <= 20; ++tick) velocities.sample({world, Time(0.5 * tick)});
-  const Measurement found = velocities.result({world, Time(10)});
+  const Measurement found = result_of(velocities, {world, Time(10)});
   const Column& lags = column(found, "lag");
   EXPECT_EQ(lags.values.front(), 0);
   for (std::size_t i = 0; i < lags.values.size(); ++i) {
@@ -213,7 +213,7 @@ TEST(VelocityAutocorrelation, IntegratesExactlyBetweenSamples) {
     }
     velocities.sample({moved, Time(time)});
   }
-  const Measurement found = velocities.result({begin, Time(kInterval)});
+  const Measurement found = result_of(velocities, {begin, Time(kInterval)});
   const double expected = (1 + std::exp(-kInterval)) / 2 * -std::expm1(-kInterval) / 3;
   EXPECT_NEAR(values(found, "diffusion_integral")[1], expected, 1e-12);
 }

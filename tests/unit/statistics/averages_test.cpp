@@ -466,6 +466,7 @@ TEST(Transients, ThatAreNotOverLeaveNoErrors) {
                          {"y", "1", ColumnRole::value, {2}},
                          {"y_error", "1", ColumnRole::error, {3}}};
   found.note_in(measurement);
+  leave_unsettled_open(measurement);
   EXPECT_FALSE(measurement.is_transient_over);
   EXPECT_EQ(measurement.quantities[0].value, 5);
   EXPECT_TRUE(std::isnan(measurement.quantities[0].error));

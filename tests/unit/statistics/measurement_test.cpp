@@ -14,11 +14,10 @@ namespace {
 TEST(Measurement, AddsNumbersAndColumnsWithErrorsAndTheory) {
   Measurement found{.name = "things", .title = "", .formula = "", .source = ""};
   found.add("size", "L", {2, 0.5}, 3, 0.25).reason = "why";
-  found.add("count", "1", {7});
+  found.add("count", "1", Estimate{7});
   found.add_argument("radius", "L", bin_middles(1, 0.5, 2));
-  found.add_values("all", "1", {5, 6});
-  found.add_estimates("part", "1", {{0.5, 0.125}, {}});
-  found.add_theory({0.75, 1});
+  found.add("all", "1", std::vector<double>{5, 6});
+  found.add("part", "1", std::vector<Estimate>{{0.5, 0.125}, {}}, std::vector<double>{0.75, 1});
   EXPECT_EQ(columns_csv(found),
             "radius [L],all [1],part [1],part_error [1],part_theory [1]\n"
             "1.25,5,0.5,0.125,0.75\n1.75,6,nan,nan,1\n");
