@@ -32,6 +32,11 @@ RecordingHeader recording_header(const Simulation& simulation) {
   header.restitution = restitution_of(simulation).value_or(std::numeric_limits<double>::quiet_NaN());
   header.gravity = simulation.world().motion().gravity();
   const auto surfaces = simulation.world().surfaces();
+  for (const Surface& surface : surfaces) {
+    if (!std::holds_alternative<OwnShape>(surface.shape())) continue;
+    throw Error("a recording cannot describe the " + std::string(surface.name()), "surface",
+                "run without a recording, or write a trajectory");
+  }
   header.surfaces.assign(surfaces.begin(), surfaces.end());
   for (const Bond& bond : bonds_of(simulation.world())) header.bonds.push_back({bond.first, bond.second});
   return header;

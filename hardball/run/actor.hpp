@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -30,6 +31,8 @@ class Actor {
   static constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
 
   virtual ~Actor() = default;
+  /// A copy, for copies of the simulation.
+  virtual std::unique_ptr<Actor> clone() const = 0;
 
   /// What it does, for messages: "the thermostat acts".
   virtual std::string_view deed() const = 0;

@@ -3,7 +3,6 @@
 #include "hardball/run/actors.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace hardball {
 
@@ -44,34 +43,42 @@ void ThermostatActor::note_removed(SphereId sphere) {
 }
 
 const Actor& Actors::next() const {
-  const auto actors = all();
-  return **std::ranges::min_element(actors, std::less<Time>(), &Actor::next);
+  const Actor* first = &growth;
+  for_each([&](const Actor& actor) {
+    if (actor.next() < first->next()) first = &actor;
+  });
+  return *first;
 }
 
 Actor& Actors::next() {
-  const auto actors = all();
-  return **std::ranges::min_element(actors, std::less<Time>(), &Actor::next);
+  Actor* first = &growth;
+  for_each([&](Actor& actor) {
+    if (actor.next() < first->next()) first = &actor;
+  });
+  return *first;
 }
 
 std::uint64_t Actors::contacts_left(const Tally& tally, std::size_t spheres) const {
   std::uint64_t least = Actor::kAnyNumber;
-  for (const Actor* actor : all()) least = std::min(least, actor->contacts_left(tally, spheres));
+  for_each([&](const Actor& actor) { least = std::min(least, actor.contacts_left(tally, spheres)); });
   return least;
 }
 
 bool Actors::depend_on_sums() const {
-  return std::ranges::any_of(all(), &Actor::depends_on_sums);
+  bool any = false;
+  for_each([&](const Actor& actor) { any = any || actor.depends_on_sums(); });
+  return any;
 }
 
 bool Actors::note_added(SphereId sphere, const Time& now) {
   const Time before = next().next();
-  for (Actor* actor : all()) actor->note_added(sphere, now);
+  for_each([&](Actor& actor) { actor.note_added(sphere, now); });
   return next().next() != before;
 }
 
 bool Actors::note_removed(SphereId sphere) {
   const Time before = next().next();
-  for (Actor* actor : all()) actor->note_removed(sphere);
+  for_each([&](Actor& actor) { actor.note_removed(sphere); });
   return next().next() != before;
 }
 

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "hardball/growth/growth_schedule.hpp"
+#include "hardball/memory/value_pointer.hpp"
 #include "hardball/run/actor.hpp"
 #include "hardball/thermostats/thermostat.hpp"
 
@@ -17,6 +18,7 @@ class GrowthActor final : public Actor {
  public:
   std::optional<GrowthSchedule> schedule;
 
+  std::unique_ptr<Actor> clone() const override { return std::make_unique<GrowthActor>(*this); }
   std::string_view deed() const override { return "an epoch of growth begins"; }
   Time next() const override { return schedule ? Time(schedule->next()) : kNever; }
   Action act(const World& world, const Tally& tally, const Time& moment) override;
@@ -34,6 +36,7 @@ class ThermostatActor final : public Actor {
  public:
   std::optional<Thermostat> thermostat;
 
+  std::unique_ptr<Actor> clone() const override { return std::make_unique<ThermostatActor>(*this); }
   std::string_view deed() const override { return "the thermostat acts"; }
   Time next() const override { return thermostat ? Time(thermostat->next()) : kNever; }
   Action act(const World& world, const Tally& tally, const Time& moment) override;
@@ -47,9 +50,21 @@ class Actors {
   GrowthActor growth;
   ThermostatActor thermostat;
 
-  /// All actors, in the order in which they act at the same time.
-  std::array<Actor*, 2> all() { return {&growth, &thermostat}; }
-  std::array<const Actor*, 2> all() const { return {&growth, &thermostat}; }
+  std::vector<ValuePointer<Actor>> own;  ///< Of the user.
+
+  /// Calls visit(actor) for all actors, in the order in which they act at the same time.
+  template <class Visit>
+  void for_each(Visit&& visit) {
+    visit(growth);
+    visit(thermostat);
+    for (ValuePointer<Actor>& actor : own) visit(*actor);
+  }
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    visit(growth);
+    visit(thermostat);
+    for (const ValuePointer<Actor>& actor : own) visit(*actor);
+  }
 
   /// The actor that acts next.
   Actor& next();

@@ -53,6 +53,12 @@ void Simulation::set_thermostat(std::optional<Thermostat> thermostat) {
   is_rescheduled_ = true;
 }
 
+void Simulation::add_actor(std::unique_ptr<Actor> actor) {
+  check_editable("add_actor");
+  actors_.own.emplace_back(std::move(actor));
+  is_rescheduled_ = true;
+}
+
 void Simulation::grow(const GrowthRules& rules, std::optional<double> compressibility) {
   check_editable("grow");
   manager_->end_look_ahead(now_);

@@ -169,7 +169,7 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     now_ = later(later(now_, sums_.tally.last_change()), schedule.reached());
     // Not `now_`, which after a limited number of steps may depend on the engine.
     const Time moment = later(schedule.reached(), sums_.tally.last_change());
-    for (Actor* actor : actors_.all()) actor->note_contacts(sums_.tally, size(), moment);
+    actors_.for_each([&](Actor& actor) { actor.note_contacts(sums_.tally, size(), moment); });
     if (item == RunSchedule::Item::action) schedule.spend(act(moment, measures));
     if (item == RunSchedule::Item::sample) {
       measures->sample(world(), moment, [this](std::size_t count, const Function<void(std::size_t)>& work) {

@@ -119,6 +119,10 @@ class HARDBALL_EXPORT Simulation {
   void set_thermostat(std::optional<Thermostat> thermostat);
   const std::optional<Thermostat>& thermostat() const { return actors_.thermostat.thermostat; }
 
+  /// Adds an actor of your own, such as another thermostat, which changes velocities at times of its own; see
+  /// Actor. It is not saved: add it again, as it was, after loading. Error: this is called by a listener.
+  void add_actor(std::unique_ptr<Actor> actor);
+
   /// Lets all spheres grow from now on, or shrink, until they fill as much as the rules say; replaces a
   /// growth that is not over. The epochs of the growth begin at times of their own, each after all contacts
   /// that round to the same double as that time, or an earlier one; at some of them all velocities are halved

@@ -49,7 +49,12 @@ Surface::Surface(const Shape& shape, const Vec3& point, const Vec3& velocity, co
 }
 
 std::string_view Surface::name() const {
-  return std::visit([](const auto& shape) { return std::string_view(shape.kName); }, shape_);
+  return std::visit(
+      [](const auto& shape) -> std::string_view {
+        if constexpr (requires { shape.name(); }) return shape.name();
+        return shape.kName;
+      },
+      shape_);
 }
 
 Shape oscillating(const Shape& plane, double amplitude, double frequency) {

@@ -15,6 +15,7 @@
 #include "hardball/surfaces/hollow_sphere.hpp"
 #include "hardball/surfaces/obstacle.hpp"
 #include "hardball/surfaces/oscillating_plane.hpp"
+#include "hardball/surfaces/own_shape.hpp"
 #include "hardball/surfaces/plane.hpp"
 #include "hardball/surfaces/surface_material.hpp"
 
@@ -29,7 +30,7 @@ namespace hardball {
 /// `remedy_for_period(axis)`; where they are known, `largest_sphere()`, `volume(box, point)` and `area(box)`;
 /// and if it moves by itself, `rest()`, `displacement_at(moment)` and `velocity_at(moment)`. Positions are
 /// relative to the surface's point.
-using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle, Cone>;
+using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle, Cone, OwnShape>;
 
 /// Calls visit(std::type_identity<S>()) for each shape S.
 template <class Visit>
@@ -45,7 +46,8 @@ template <class Read>
 std::optional<Shape> shape_of(std::string_view name, Read&& read) {
   std::optional<Shape> shape;
   for_each_shape([&]<class S>(std::type_identity<S>) {
-    if (S::kName == name) shape = from_fields<S>(read);
+    if constexpr (requires { S::kMeaning; })
+      if (S::kName == name) shape = from_fields<S>(read);
   });
   return shape;
 }

@@ -258,7 +258,7 @@ void bind_surface(py::module_& module) {
   py::class_<Surface> surface(module, "Surface", doc::Surface);
   bind_plane(surface);
   for_each_shape([&]<class S>(std::type_identity<S>) {
-    if constexpr (!requires(S shape) { shape.normal(); }) bind_shape<S>(surface);
+    if constexpr (requires { S::kMeaning; } && !std::is_same_v<S, Plane>) bind_shape<S>(surface);
   });
   surface.def_property_readonly("name", [](const Surface& self) { return std::string(self.name()); })
       .def_property_readonly(
