@@ -22,9 +22,9 @@ double inertia(double inertia_factor, double mass, double radius) {
 void merge(World& world, Contact& contact, const Participants& participants) {
   HARDBALL_CHECK(contact.is_collision());
   if (world.has_steps()) {
-    throw Error("spheres with potentials of steps are to merge",
-                "response to sphere " + to_text(contact.first) + " and sphere " + to_text(contact.second),
-                "let them bounce");
+    check_exclusions(
+        Feature::steps, Feature::merging,
+        "response to sphere " + to_text(contact.first) + " and sphere " + to_text(contact.second));
   }
   const double mass = contact.first_mass + contact.second_mass;
   const double a = contact.first_radius;

@@ -20,15 +20,8 @@ namespace {
 
 using namespace image_search;
 
-void refuse_shear(const World& world, const char* where) {
-  if (!world.box().is_sheared()) return;
-  throw Error("the box is sheared, and its images slide", where,
-              "use a box at rest; next_contact of a simulation knows images that slide");
-}
-
-void refuse_growth(const World& world, const char* where) {
-  if (!world.motion().has_growth()) return;
-  throw Error("spheres grow, and it is not known how long", where, "ask when their sizes are constant");
+void check_exclusions_of(Feature question, const World& world) {
+  if (!goes_with(question, world.features())) check_exclusions(world.features() | question);
 }
 
 // Spheres that pass through each other, and have begun to, do not touch; see are_passing (world.hpp).
@@ -45,12 +38,7 @@ double time_to_begin(const World& world, const Time& now, SphereId id, SphereId 
 template <class Pass>
 std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slot self, const Path& path,
                                             double radius, const Pass& pass, const Time& until) {
-  refuse_growth(world, "first_contact");
-  refuse_shear(world, "first_contact");
-  if (world.has_steps()) {
-    throw Error("spheres have potentials of steps, by which paths bend", "first_contact",
-                "ask for the next contact of the simulation");
-  }
+  check_exclusions_of(Feature::first_contact, world);
   const Time& now = path.time;
   const Box& box = world.box();
   const double last = until.high < kNever.high ? duration(now, until) : until.high;
@@ -191,7 +179,7 @@ void note_nearer(const Clearance& other, std::optional<Clearance>& nearest) {
 
 std::optional<Clearance> clearance_of(const World& world, const Time& now, const Vec3& center, double radius,
                                       Slot self) {
-  refuse_shear(world, "clearance");
+  check_exclusions_of(Feature::clearance, world);
   const Box& box = world.box();
   std::optional<Clearance> nearest;
   double least = kInfinity;
@@ -247,8 +235,7 @@ std::optional<NextContact> first_contact(const World& world, const Time& now, co
 std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origin, const Vec3& direction,
                           double most) {
   constexpr const char* kWhere = "ray";
-  refuse_growth(world, kWhere);
-  refuse_shear(world, kWhere);
+  check_exclusions_of(Feature::ray, world);
   const Box& box = world.box();
   check_vector(direction, "the direction", kWhere);
   const double norm = length(direction);
