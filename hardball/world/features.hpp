@@ -81,10 +81,10 @@ struct FeatureDescription {
 
 /// Two features that do not go together.
 struct Exclusion {
-  Feature first;  ///< Of which the error says where it is.
-  Feature second;
-  std::string_view what;  ///< The problem, as errors state it.
-  std::string_view remedy;
+  Feature first;            ///< The error says where this one is.
+  Feature second;           ///< The feature that the first does not go with.
+  std::string_view what;    ///< The problem, as errors state it.
+  std::string_view remedy;  ///< What would be accepted.
 };
 
 HARDBALL_EXPORT const FeatureDescription& description(Feature feature);
