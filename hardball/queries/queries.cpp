@@ -71,7 +71,7 @@ std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slo
   First first;
   search_in_intervals(stride, end, [&](const Interval& during) {
     first = {};
-    note_spheres(world, now, from, radius, self, state_of, wait_of, during, first);
+    note_spheres(world, now, 1, from, radius, self, state_of, wait_of, during, first);
     const Time from_then = after(now, during.begin);
     const Time latest = after(now, during.end);
     for (const Event& wall : {next_wall_event(world, id, path, radius, from_then),
@@ -153,10 +153,11 @@ void check_vector(const Vec3& vector, const char* name, const char* where) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) check_finite(vector[axis], name, where);
 }
 
-// A point folded into the box.
-Vec3 folded(const Box& box, Vec3 point, const char* where) {
+// A point folded into the box as it is at `now`.
+Vec3 folded(const Box& box, Vec3 point, const Time& now, const char* where) {
   check_vector(point, "a coordinate", where);
-  box.fold(point);
+  Vec3 no_velocity;
+  box.fold(point, no_velocity, now);
   return point;
 }
 
@@ -177,18 +178,39 @@ void note_nearer(const Clearance& other, std::optional<Clearance>& nearest) {
   if (!nearest || order(other) < order(*nearest)) nearest = other;
 }
 
+// The image of `apart` that is shortest.
+HARDBALL_ALWAYS_INLINE Vec3 shortest_image(const Box& box, const Vec3& apart, const Time& now) {
+  const auto shorten = [&box](Vec3& vector, std::size_t axis) {
+    vector[axis] -= round_to_integer(vector[axis] * box.inverse_period()[axis]) * box.period()[axis];
+  };
+  Vec3 shortest = apart;
+  for_each_axis([&](auto axis) { shorten(shortest, axis); });
+  if (!box.is_sheared()) [[likely]]
+    return shortest;
+  const auto row = static_cast<std::int32_t>(round_to_integer(apart.y * box.inverse_period().y));
+  double least = kInfinity;
+  // A row that is farther away may have slid so that its image is nearer.
+  for (std::int32_t k = 0; (k - 0.5) * box.period().y < least; ++k) {
+    for (const std::int32_t number : {row - k, row + k}) {
+      Vec3 image = apart - box.shift({{0, number, 0}}, now);
+      shorten(image, 0);
+      shorten(image, 2);
+      if (length(image) >= least) continue;
+      least = length(image);
+      shortest = image;
+    }
+  }
+  return shortest;
+}
+
 std::optional<Clearance> clearance_of(const World& world, const Time& now, const Vec3& center, double radius,
                                       Slot self) {
-  check_exclusions_of(Feature::clearance, world);
   const Box& box = world.box();
   std::optional<Clearance> nearest;
   double least = kInfinity;
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (slot == self) continue;
-    Vec3 apart = world.unfolded_position(slot, now) - center;
-    for_each_axis([&](auto axis) {
-      apart[axis] -= round_to_integer(apart[axis] * box.inverse_period()[axis]) * box.period()[axis];
-    });
+    const Vec3 apart = shortest_image(box, world.unfolded_position(slot, now) - center, now);
     const double reach = radius + world.radius(slot, now);
     const double square = dot(apart, apart);
     // Most are certainly farther, and need no square root.
@@ -244,16 +266,17 @@ std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origi
                 "give a finite vector that is not zero");
   }
   check_end(box, most, "distance", kWhere);
-  const Path path{folded(box, origin, kWhere), (1 / norm) * direction, Time(0)};
+  const Path path{folded(box, origin, now, kWhere), (1 / norm) * direction, Time(0)};
   const auto state_of = [&](Slot slot) { return State{world.unfolded_position(slot, now), {}}; };
   const auto wait_of = [](Slot, const Relative& other) { return time_to_enter(other); };
   const double half = 0.5 * box.shortest_period();
+  const double scale = world.motion().scale_at(now);
   First first;
   search_in_intervals([half](double) { return half; }, most,
                       [&](const Interval& during) {
                         first = {};
-                        note_spheres(world, Time(0), {path.position, path.velocity}, 0, kNoSlot, state_of,
-                                     wait_of, during, first);
+                        note_spheres(world, Time(0), scale, {path.position, path.velocity}, 0, kNoSlot,
+                                     state_of, wait_of, during, first);
                         note_walls(world, now, path, during, first);
                         return first.time < kNever;
                       });
@@ -266,7 +289,7 @@ std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origi
 }
 
 std::optional<Clearance> clearance(const World& world, const Time& now, const Vec3& point) {
-  return clearance_of(world, now, folded(world.box(), point, "clearance"), 0, kNoSlot);
+  return clearance_of(world, now, folded(world.box(), point, now, "clearance"), 0, kNoSlot);
 }
 
 std::optional<Clearance> clearance(const World& world, const Time& now, SphereId id) {

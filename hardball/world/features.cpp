@@ -34,7 +34,6 @@ constexpr std::array<FeatureDescription, kFeatures> kDescriptions = {{
     {"processes", "processes", "several processes share one system"},
     {"the engine all-pairs", "engine", "every sphere is compared with every other"},
     {"the engine paper", "engine", "the algorithm of the paper to the letter"},
-    {"clearance", "clearance", "the question what is nearest to a point or a sphere"},
     {"ray", "ray", "the question what a ray hits first"},
     {"first_contact", "first_contact", "the question what a sphere would touch first"},
 }};
@@ -48,8 +47,6 @@ constexpr std::string_view kBounce = "let them bounce";
 constexpr std::string_view kSliding = "the box is sheared, and its images slide";
 constexpr std::string_view kAtRest =
     "use a box at rest; next_contact of a simulation knows images that slide";
-constexpr std::string_view kUnknownTime = "spheres grow, and it is not known how long";
-constexpr std::string_view kConstantSizes = "ask when their sizes are constant";
 
 // Where several exclude each other, the first of the table is told.
 constexpr auto kExclusions = [] {
@@ -95,10 +92,9 @@ constexpr auto kExclusions = [] {
       {paper, shear, "the engine paper knows no images that slide, and the box is sheared", kOtherEngine},
       {paper, obstacle_images, "the engine paper knows no images of obstacles, and the box is periodic",
        kOtherEngine},
-      {clearance, shear, kSliding, kAtRest},
-      {ray, growth, kUnknownTime, kConstantSizes},
       {ray, shear, kSliding, kAtRest},
-      {first_contact, growth, kUnknownTime, kConstantSizes},
+      {first_contact, growth, "spheres grow, and it is not known how long",
+       "ask when their sizes are constant"},
       {first_contact, shear, kSliding, kAtRest},
       {first_contact, steps, "spheres have potentials of steps, by which paths bend",
        "ask for the next contact of the simulation"},

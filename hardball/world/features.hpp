@@ -39,7 +39,6 @@ enum class Feature : std::uint8_t {
   all_pairs,
   paper,
   // Questions about a world.
-  clearance,
   ray,
   first_contact,
 };

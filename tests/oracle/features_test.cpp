@@ -131,7 +131,6 @@ void ask(Features features, const Simulation& simulation) {
   const World& world = simulation.world();
   const Time now = simulation.now();
   const Vec3 point{0.3, 0.2, world.box().is_flat() ? 0 : 0.1};
-  if (features.has(Feature::clearance)) static_cast<void>(clearance(world, now, point));
   if (features.has(Feature::ray)) static_cast<void>(ray(world, now, point, {1, 0, 0}, 10));
   if (!features.has(Feature::first_contact)) return;
   const SphereId id = world.id(0);

@@ -130,7 +130,7 @@ TEST(ShearedWorld, RefusesWhatDoesNotGoTogether) {
   EXPECT_EQ(problem_of([&] { world.set_interactions(interactions); }),
             sheared + "there are potentials of steps");
   EXPECT_FALSE(world.has_steps()) << "what is refused is not kept";
-  EXPECT_NE(problem_of([&] { static_cast<void>(clearance(world, Time(0), {1, 1, 1})); }), "");
+  EXPECT_NE(problem_of([&] { static_cast<void>(ray(world, Time(0), {1, 1, 1}, {1, 0, 0}, 1)); }), "");
   EXPECT_NE(problem_of([&] { Simulation(world, {.engine = EngineKind::paper}); }), "");
   EXPECT_EQ(problem_of([&] { Simulation(world, {.threads = 2}); }), "threads cannot share a sheared box");
 }
