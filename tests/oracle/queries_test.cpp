@@ -436,7 +436,6 @@ double slow_clearance_in_flow(const World& world, const Time& now, const Vec3& c
   return least;
 }
 
-// In boxes so much longer than high that the nearest image may lie several rows away.
 TEST(Queries, ClearancesKnowImagesThatSlide) {
   std::uint64_t asked = 0;
   for (std::uint64_t seed = 0; seed < support::cases(200); ++seed) {
@@ -466,6 +465,24 @@ TEST(Queries, ClearancesKnowImagesThatSlide) {
     }
   }
   EXPECT_GT(asked, 5 * support::cases(200));
+}
+
+// Two spheres in boxes so much longer than high that the nearest image may lie several rows away.
+TEST(Queries, ClearancesKnowImagesInRowsFartherAway) {
+  Random random(5);
+  bool is_any_far = false;
+  for (int i = 0; i < 300; ++i) {
+    Box box = Box::periodic({12, 1.5, 6});
+    box.set_shear({.rate = random.uniform(), .offset = 12 * random.uniform()});
+    World world(box);
+    world.add({.position = {12 * random.uniform(), 1.5 * random.uniform(), 1}, .radius = 0.1});
+    world.add({.position = {12 * random.uniform(), 1.5 * random.uniform(), 2}, .radius = 0.2});
+    const Time now(20 * random.uniform());
+    const double gap = clearance(world, now, SphereId{0})->distance;
+    ASSERT_NEAR(gap, slow_clearance_in_flow(world, now, world.position(0, now), 0.1, 0), 1e-9);
+    is_any_far = is_any_far || gap > 1.5;
+  }
+  EXPECT_TRUE(is_any_far);
 }
 
 // All spheres are at rest, and as large as they are now.
