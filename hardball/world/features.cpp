@@ -18,7 +18,7 @@ constexpr std::array<FeatureDescription, kFeatures> kDescriptions = {{
     {"shear", "shear", "the periodic images of the box slide along each other"},
     {"potentials of steps", "potential", "wells, shoulders or bonds act between spheres"},
     {"merging", "", "spheres of some species merge when they touch"},
-    {"a response function", "", "a function of the program decides what contacts do"},
+    {"response functions", "", "a function of the program decides what contacts do"},
     {"passing", "", "spheres of some species pass through each other"},
     {"roughness or spins", "", "contacts change spins, or spheres have spins"},
     {"kinematic spheres", "", "spheres of infinite mass, which no contact deflects"},
@@ -27,7 +27,7 @@ constexpr std::array<FeatureDescription, kFeatures> kDescriptions = {{
     {"oscillating walls", "", "planes move to and fro"},
     {"walls other than planes", "", "cylinders, cones, hollow spheres or obstacles"},
     {"obstacles in a periodic box", "", "obstacles, which have images"},
-    {"a thermostat", "", "velocities are changed at times of their own"},
+    {"thermostats", "", "velocities are changed at times of their own"},
     {"births and deaths", "", "spheres are added or removed in a run"},
     {"measures", "measures", "quantities are measured in a run"},
     {"threads", "threads", "several threads share one system"},
@@ -40,6 +40,7 @@ constexpr std::array<FeatureDescription, kFeatures> kDescriptions = {{
 
 constexpr std::string_view kOneThread = "use one thread, or as many as pay";
 constexpr std::string_view kOneProcess = "leave it out, or run it in one process";
+constexpr std::string_view kSharedEngine = "use cells or neighbors, or run it in one process";
 constexpr std::string_view kOtherEngine = "use another engine";
 constexpr std::string_view kNoMeasures = "run without measures, in scenarios by names = []";
 constexpr std::string_view kRemoveOne = "remove one of them";
@@ -48,7 +49,7 @@ constexpr std::string_view kSliding = "the box is sheared, and its images slide"
 constexpr std::string_view kAtRest =
     "use a box at rest; next_contact of a simulation knows images that slide";
 
-// Where several exclude each other, the first of the table is told.
+// Where several apply, errors state the first.
 constexpr auto kExclusions = [] {
   using enum Feature;
   return std::to_array<Exclusion>({
@@ -80,10 +81,8 @@ constexpr auto kExclusions = [] {
       {processes, merging, "processes cannot share spheres that merge", kOneProcess},
       {processes, steps, "processes cannot share spheres with potentials of steps", kOneProcess},
       {processes, shear, "processes cannot share a sheared box", kOneProcess},
-      {all_pairs, processes, "the engine all-pairs has one process",
-       "use cells or neighbors, or run it in one process"},
-      {paper, processes, "the engine paper has one process",
-       "use cells or neighbors, or run it in one process"},
+      {all_pairs, processes, "the engine all-pairs has one process", kSharedEngine},
+      {paper, processes, "the engine paper has one process", kSharedEngine},
       {threads, custom_response, "threads cannot share a response that is a function", kOneThread},
       {threads, merging, "threads cannot share spheres that merge", kOneThread},
       {threads, steps, "threads cannot share spheres with potentials of steps", kOneThread},

@@ -12,7 +12,7 @@
 
 namespace hardball {
 
-/// What a world or a run can have and others exclude; features() describes each.
+/// What a world or a run can have and others exclude; description() says what each is.
 enum class Feature : std::uint8_t {
   // Of a world.
   flat,
