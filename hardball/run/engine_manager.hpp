@@ -27,7 +27,8 @@ class EngineManager {
   explicit EngineManager(const EngineOptions& options, Processes& processes = one_process(),
                          EngineKind kind = EngineKind::automatic, const Counters& counters = {});
 
-  /// Chooses the kind of engine, and puts the spheres into its order. Precondition: check_features accepts them.
+  /// Chooses the kind of engine, and puts the spheres into its order. Precondition: check_features accepts
+  /// them.
   void prepare(World& world, const Time& now);
   /// Makes the engine for a world that has been prepared, and that all processes have whole.
   void start(World world, const Time& now, const Progress& progress = {});
