@@ -168,6 +168,24 @@ double seconds_by_theory(const Outlook& outlook, double until, double length) {
   return kNanosecond * static_cast<double>(statistics.spheres) * until * rate;
 }
 
+// What the scenario has of the features, among others that no sample of its spheres shows.
+Features features_of(const Scenario& scenario, const Outlook& outlook, const Kinds& kinds) {
+  Features features = outlook.simulation.world().features() | scenario.features();
+  features.add(Feature::thermostat, scenario.thermostat.has_value());
+  features.add(Feature::kinematic, kinds.kinematic > 0);
+  return features;
+}
+
+// "gravity, thermal walls".
+std::string names_of(Features features) {
+  std::string names;
+  for (std::size_t number = 0; number < kFeatures; ++number) {
+    const auto feature = static_cast<Feature>(number);
+    if (features.has(feature)) names += (names.empty() ? "" : ", ") + std::string(description(feature).name);
+  }
+  return names;
+}
+
 // The edge of the cells, or the skin of lists; zero if the engine has neither.
 double length_of(const Outlook& outlook) {
   const Simulation& simulation = outlook.simulation;
@@ -225,6 +243,10 @@ ExitCode check(const CheckOptions& options) {
   if (kinds.kinematic > 0) {
     add("kinematic", to_text(kinds.kinematic) + (kinds.kinematic == 1 ? " sphere" : " spheres"));
   }
+  const Features features = features_of(scenario, outlook, kinds);
+  if (!features.is_empty()) add("features", names_of(features));
+  const Features excluded = excluded_by(features);
+  if (!excluded.is_empty()) add("excluded", names_of(excluded));
   add("radius", describe_radii(simulation.world()));
   add(statistics.is_flat() ? "area fraction" : "packing fraction", readable(statistics.packing_fraction()));
   add("mean speed", readable(statistics.mean_speed));

@@ -57,8 +57,9 @@ VerifiedRun run_with(const Scenario& scenario, const World& start, const EngineO
   const Audit found = simulation.audit();
   outcome.max_overlap = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
   // A merged sphere may reach into walls, and into spheres that it does not merge with.
-  outcome.is_sound = scenario.has_merging() ? found.not_finite == 0
-                                            : found.is_sound() && outcome.max_overlap <= kOverlapTolerance;
+  outcome.is_sound = scenario.features().has(Feature::merging)
+                         ? found.not_finite == 0
+                         : found.is_sound() && outcome.max_overlap <= kOverlapTolerance;
   outcome.counters = simulation.counters();
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return outcome;

@@ -3,10 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
-
-#include "hardball/interaction/interactions.hpp"
-#include "hardball/world/box.hpp"
 
 namespace hardball {
 
@@ -19,9 +15,5 @@ struct Division {
                                 ///< to twice as many in small domains.
   double first_window = 0.001;  ///< Length of the first window, in radii at the mean speed [1].
 };
-
-/// What domains cannot share of a system in this box whose spheres interact so, as in "spheres that merge";
-/// empty if there is nothing.
-std::string_view what_prevents_division(const Box& box, const Interactions& interactions);
 
 }  // namespace hardball

@@ -31,8 +31,8 @@ namespace hardball {
 class DomainsEngine final : public EngineBase {
  public:
   /// Divides a world as it is at `now`, which all processes have whole. `division` is that of each process.
-  /// Precondition: as for Engine; what_prevents_division() finds nothing. Error: the box is too small for
-  /// this many processes.
+  /// Precondition: as for Engine; the features of the setting go with threads. Error: the box is too small
+  /// for this many processes.
   DomainsEngine(World world, const PhaseSettings& phase, const Division& division, const Time& now,
                 Processes& processes = one_process());
   /// Divides a system of which each process brings some of the spheres, wherever they are; all are brought

@@ -20,9 +20,7 @@ namespace {
 constexpr double kRounding = 1e-12;
 
 [[noreturn]] void refuse_response(const Contact& contact, const std::string& what, const char* remedy) {
-  throw Error(what + " at the contact at time " + to_text(contact.time.value()),
-              "response to sphere " + to_text(contact.first) + " and " +
-                  (contact.is_collision() ? "sphere " : "wall ") + to_text(contact.second),
+  throw Error(what + " at the contact at time " + to_text(contact.time.value()), place_of_response(contact),
               remedy);
 }
 
@@ -260,6 +258,11 @@ void refuse_velocities(const Box& box, const Contact& contact) {
                                 : "return finite velocities of magnitude at most 1e60");
 }
 
+std::string place_of_response(const Contact& contact) {
+  return "response to sphere " + to_text(contact.first) + " and " +
+         (contact.is_collision() ? "sphere " : "wall ") + to_text(contact.second);
+}
+
 void decide_between_surfaces(const Interactions& interactions, Contact& contact) {
   const Velocities centers = contact.before;
   // A radius grows by as much of `growth` as it has of `reach`.
@@ -269,9 +272,9 @@ void decide_between_surfaces(const Interactions& interactions, Contact& contact)
   contact.after = contact.before;
   static_cast<void>(interactions.decide(contact));
   if (contact.outcome == ContactOutcome::merge)
-    refuse_response(contact, "spheres that grow are to merge", "let them bounce");
+    check_exclusions(Feature::growth, Feature::merging, place_of_response(contact));
   if (!(contact.spins_after == contact.spins_before))
-    refuse_response(contact, "spheres that grow are to spin", "leave their spins as they are");
+    check_exclusions(Feature::growth, Feature::roughness, place_of_response(contact));
   contact.after.first = centers.first + (contact.after.first - contact.before.first);
   contact.after.second = centers.second + (contact.after.second - contact.before.second);
   contact.before = centers;

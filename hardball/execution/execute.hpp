@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "hardball/execution/collapse_guard.hpp"
@@ -64,6 +65,9 @@ inline void check_velocities(const Box& box, const Contact& contact) {
     return;
   refuse_velocities(box, contact);
 }
+
+/// What errors name as their place if the response to a contact is not allowed.
+std::string place_of_response(const Contact& contact);
 
 /// Lets the response decide about spheres whose sizes change: it sees the velocities of their surfaces where
 /// they meet, so that surfaces part as they would at constant size. Error: it merges spheres, or changes a

@@ -21,11 +21,7 @@ double inertia(double inertia_factor, double mass, double radius) {
 
 void merge(World& world, Contact& contact, const Participants& participants) {
   HARDBALL_CHECK(contact.is_collision());
-  if (world.has_steps()) {
-    throw Error("spheres with potentials of steps are to merge",
-                "response to sphere " + to_text(contact.first) + " and sphere " + to_text(contact.second),
-                "let them bounce");
-  }
+  if (world.has_steps()) check_exclusions(Feature::steps, Feature::merging, place_of_response(contact));
   const double mass = contact.first_mass + contact.second_mass;
   const double a = contact.first_radius;
   const double b = contact.second_radius;

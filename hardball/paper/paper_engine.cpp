@@ -18,10 +18,6 @@ PaperEngine::PaperEngine(World world, const PhaseSettings& settings, const Time&
   rebuild(now, settings);
 }
 
-bool PaperEngine::supports(const World& world) {
-  return world.motion().is_straight() && !world.box().is_sheared() && !has_images_of_obstacles(world);
-}
-
 std::size_t PaperEngine::memory_bytes() const {
   constexpr std::size_t kTreeLinks = 4 * sizeof(void*);
   std::size_t bytes = world_.memory_bytes() + post_contact_.collapse.memory_bytes();

@@ -32,13 +32,11 @@ namespace hardball {
 /// subspaces that admit a sphere slightly early and release it slightly late. Cost: O(log n) per event.
 class PaperEngine final : public EngineBase {
  public:
-  /// The length is the wanted edge of the subspaces. Error: it is less than least_edge. Precondition:
-  /// supports(world).
+  /// The length is the wanted edge of the subspaces. Error: it is less than least_edge. Precondition: the
+  /// features of the world go with Feature::paper.
   PaperEngine(World world, const PhaseSettings& settings, const Time& now);
   std::unique_ptr<EngineBase> clone() const override { return std::make_unique<PaperEngine>(*this); }
 
-  /// Whether all paths are straight, no images slide, and obstacles have none in a periodic box.
-  static bool supports(const World& world);
   /// The largest diameter [L]: in smaller subspaces a sphere could intersect more than eight.
   static double least_edge(const World& world) { return 2 * world.largest_bounding_radius(); }
 

@@ -123,15 +123,15 @@ void search_in_intervals(Stride&& stride, double end, Search&& search) {
 }
 
 // Records other spheres that are touched in an interval, as seen from a body at `from`; `wait_of(slot,
-// other)` is the time until an image is touched. Sizes do not change.
+// other)` is the time until an image is touched. Radii are `scale` times the base radii and do not change.
 template <class StateAt, class WaitOf>
-void note_spheres(const World& world, const Time& start, const State& from, double radius, Slot self,
-                  const StateAt& state_at, const WaitOf& wait_of, Interval during, First& first) {
+void note_spheres(const World& world, const Time& start, double scale, const State& from, double radius,
+                  Slot self, const StateAt& state_at, const WaitOf& wait_of, Interval during, First& first) {
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (slot == self) continue;
     const State state = state_at(slot);
     const Relative other{state.position - from.position, state.velocity - from.velocity,
-                         radius + world.base_radius(slot)};
+                         radius + scale * world.base_radius(slot)};
     if (is_missed(world.box(), other, during)) continue;
     for_each_image(world.box(), other, during, [&](const Vec3& separation) {
       const double wait = wait_of(slot, Relative{separation, other.velocity, other.reach});

@@ -20,15 +20,8 @@ namespace {
 
 using namespace image_search;
 
-void refuse_shear(const World& world, const char* where) {
-  if (!world.box().is_sheared()) return;
-  throw Error("the box is sheared, and its images slide", where,
-              "use a box at rest; next_contact of a simulation knows images that slide");
-}
-
-void refuse_growth(const World& world, const char* where) {
-  if (!world.motion().has_growth()) return;
-  throw Error("spheres grow, and it is not known how long", where, "ask when their sizes are constant");
+void check_exclusions_of(Feature question, const World& world) {
+  if (!goes_with(question, world.features())) check_exclusions(world.features() | question);
 }
 
 // Spheres that pass through each other, and have begun to, do not touch; see are_passing (world.hpp).
@@ -45,12 +38,7 @@ double time_to_begin(const World& world, const Time& now, SphereId id, SphereId 
 template <class Pass>
 std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slot self, const Path& path,
                                             double radius, const Pass& pass, const Time& until) {
-  refuse_growth(world, "first_contact");
-  refuse_shear(world, "first_contact");
-  if (world.has_steps()) {
-    throw Error("spheres have potentials of steps, by which paths bend", "first_contact",
-                "ask for the next contact of the simulation");
-  }
+  check_exclusions_of(Feature::first_contact, world);
   const Time& now = path.time;
   const Box& box = world.box();
   const double last = until.high < kNever.high ? duration(now, until) : until.high;
@@ -83,7 +71,7 @@ std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slo
   First first;
   search_in_intervals(stride, end, [&](const Interval& during) {
     first = {};
-    note_spheres(world, now, from, radius, self, state_of, wait_of, during, first);
+    note_spheres(world, now, 1, from, radius, self, state_of, wait_of, during, first);
     const Time from_then = after(now, during.begin);
     const Time latest = after(now, during.end);
     for (const Event& wall : {next_wall_event(world, id, path, radius, from_then),
@@ -152,10 +140,11 @@ void check_vector(const Vec3& vector, const char* name, const char* where) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) check_finite(vector[axis], name, where);
 }
 
-// A point folded into the box.
-Vec3 folded(const Box& box, Vec3 point, const char* where) {
+// A point folded into the box as it is at `now`.
+Vec3 folded(const Box& box, Vec3 point, const Time& now, const char* where) {
   check_vector(point, "a coordinate", where);
-  box.fold(point);
+  Vec3 no_velocity;
+  box.fold(point, no_velocity, now);
   return point;
 }
 
@@ -176,18 +165,39 @@ void note_nearer(const Clearance& other, std::optional<Clearance>& nearest) {
   if (!nearest || order(other) < order(*nearest)) nearest = other;
 }
 
+// The image of `apart` that is shortest.
+HARDBALL_ALWAYS_INLINE Vec3 shortest_image(const Box& box, const Vec3& apart, const Time& now) {
+  const auto shorten = [&box](Vec3& vector, std::size_t axis) {
+    vector[axis] -= round_to_integer(vector[axis] * box.inverse_period()[axis]) * box.period()[axis];
+  };
+  Vec3 shortest = apart;
+  for_each_axis([&](auto axis) { shorten(shortest, axis); });
+  if (!box.is_sheared()) [[likely]]
+    return shortest;
+  const auto row = static_cast<std::int32_t>(round_to_integer(apart.y * box.inverse_period().y));
+  double least = kInfinity;
+  // A row that is farther away may have slid so that its image is nearer.
+  for (std::int32_t k = 0; (k - 0.5) * box.period().y < least; ++k) {
+    for (const std::int32_t number : {row - k, row + k}) {
+      Vec3 image = apart - box.shift({{0, number, 0}}, now);
+      shorten(image, 0);
+      shorten(image, 2);
+      if (length(image) >= least) continue;
+      least = length(image);
+      shortest = image;
+    }
+  }
+  return shortest;
+}
+
 std::optional<Clearance> clearance_of(const World& world, const Time& now, const Vec3& center, double radius,
                                       Slot self) {
-  refuse_shear(world, "clearance");
   const Box& box = world.box();
   std::optional<Clearance> nearest;
   double least = kInfinity;
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (slot == self) continue;
-    Vec3 apart = world.unfolded_position(slot, now) - center;
-    for_each_axis([&](auto axis) {
-      apart[axis] -= round_to_integer(apart[axis] * box.inverse_period()[axis]) * box.period()[axis];
-    });
+    const Vec3 apart = shortest_image(box, world.unfolded_position(slot, now) - center, now);
     const double reach = radius + world.radius(slot, now);
     const double square = dot(apart, apart);
     // Most are certainly farther, and need no square root.
@@ -234,8 +244,7 @@ std::optional<NextContact> first_contact(const World& world, const Time& now, co
 std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origin, const Vec3& direction,
                           double most) {
   constexpr const char* kWhere = "ray";
-  refuse_growth(world, kWhere);
-  refuse_shear(world, kWhere);
+  check_exclusions_of(Feature::ray, world);
   const Box& box = world.box();
   check_vector(direction, "the direction", kWhere);
   const double norm = length(direction);
@@ -244,16 +253,17 @@ std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origi
                 "give a finite vector that is not zero");
   }
   check_end(box, most, "distance", kWhere);
-  const Path path{folded(box, origin, kWhere), (1 / norm) * direction, Time(0)};
+  const Path path{folded(box, origin, now, kWhere), (1 / norm) * direction, Time(0)};
   const auto state_of = [&](Slot slot) { return State{world.unfolded_position(slot, now), {}}; };
   const auto wait_of = [](Slot, const Relative& other) { return time_to_enter(other); };
   const double half = 0.5 * box.shortest_period();
+  const double scale = world.motion().scale_at(now);
   First first;
   search_in_intervals([half](double) { return half; }, most,
                       [&](const Interval& during) {
                         first = {};
-                        note_spheres(world, Time(0), {path.position, path.velocity}, 0, kNoSlot, state_of,
-                                     wait_of, during, first);
+                        note_spheres(world, Time(0), scale, {path.position, path.velocity}, 0, kNoSlot,
+                                     state_of, wait_of, during, first);
                         note_walls(world, now, path, during, first);
                         return first.time < kNever;
                       });
@@ -266,7 +276,7 @@ std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origi
 }
 
 std::optional<Clearance> clearance(const World& world, const Time& now, const Vec3& point) {
-  return clearance_of(world, now, folded(world.box(), point, "clearance"), 0, kNoSlot);
+  return clearance_of(world, now, folded(world.box(), point, now, "clearance"), 0, kNoSlot);
 }
 
 std::optional<Clearance> clearance(const World& world, const Time& now, SphereId id) {

@@ -49,9 +49,9 @@ struct Clearance {
 /// `first`. Of simultaneous contacts, that with the sphere of the lowest id comes first, and walls come last.
 /// A sphere that passes through others touches them when it begins to.
 ///
-/// Error: spheres grow; no such sphere; a velocity that is not finite or out of range; `until` is before
-/// `now` or NaN, or in a periodic box infinite. Cost: O(n), and in a periodic box as often as the fastest
-/// sphere would cross half of it before the contact.
+/// Error: spheres grow or have potentials of steps; the box is sheared; no such sphere; a velocity that is
+/// not finite or out of range; `until` is before `now` or NaN, or in a periodic box infinite. Cost: O(n), and
+/// in a periodic box as often as the fastest sphere would cross half of it before the contact.
 HARDBALL_EXPORT std::optional<NextContact> first_contact(const World& world, const Time& now, SphereId id,
                                                          const Vec3& velocity, const Time& until);
 
@@ -62,8 +62,8 @@ HARDBALL_EXPORT std::optional<NextContact> first_contact(const World& world, con
 
 /// What a ray hits first, the world being at rest as it is at `now`, up to `most` [L] from its origin. A ray
 /// that starts inside a sphere or an obstacle does not hit it. Of bodies at the same distance, spheres come
-/// before walls, and low numbers before high ones. Error: spheres grow; a number that is not finite, or out
-/// of range; a direction of length zero; `most` is negative or NaN, or in a periodic box infinite. Cost:
+/// before walls, and low numbers before high ones. Error: the box is sheared; a number that is not finite, or
+/// out of range; a direction of length zero; `most` is negative or NaN, or in a periodic box infinite. Cost:
 /// O(n), and in a periodic box as often as the ray crosses half of it.
 HARDBALL_EXPORT std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origin,
                                           const Vec3& direction, double most);

@@ -27,13 +27,14 @@ class EngineManager {
   explicit EngineManager(const EngineOptions& options, Processes& processes = one_process(),
                          EngineKind kind = EngineKind::automatic, const Counters& counters = {});
 
-  /// Chooses the kind of engine, and puts the spheres into its order. Error: see choose_engine.
+  /// Chooses the kind of engine, and puts the spheres into its order. Precondition: check_features accepts
+  /// them.
   void prepare(World& world, const Time& now);
   /// Makes the engine for a world that has been prepared, and that all processes have whole.
   void start(World world, const Time& now, const Progress& progress = {});
   /// Makes the engine for a system of which each process brings some of the spheres, as they are at `now`;
-  /// all are brought once. `empty`: the world without spheres. Error: see choose_engine; the box is too small
-  /// for this many processes.
+  /// all are brought once. `empty`: the world without spheres. Error: the box is too small for this many
+  /// processes.
   void start(World empty, SphereTransfers brought, const Time& now);
 
   EngineBase& engine() { return *engine_; }

@@ -9,11 +9,10 @@
 
 #include "hardball/domains/division.hpp"
 #include "hardball/errors/export.hpp"
-#include "hardball/interaction/interactions.hpp"
 #include "hardball/kernels/instruction_set.hpp"
 #include "hardball/processes/processes.hpp"
 #include "hardball/tuning/unit_costs.hpp"
-#include "hardball/world/box.hpp"
+#include "hardball/world/features.hpp"
 
 namespace hardball {
 
@@ -50,9 +49,8 @@ struct EngineOptions {
 
 /// Error: options that are valid for no world; see EngineOptions.
 HARDBALL_EXPORT void check(const EngineOptions& options);
-/// Error: more than 1,024 threads are wanted; more than one, or several processes, and the box or what
-/// happens at contacts does not allow that; several processes, and the engine does not.
-void check_division(const EngineOptions& options, const Processes& processes, const Box& box,
-                    const Interactions& interactions);
+/// Error: more than 1,024 threads are wanted; the options or several processes exclude each other, or some of
+/// these features of the world.
+void check_features(const EngineOptions& options, const Processes& processes, Features features);
 
 }  // namespace hardball

@@ -68,7 +68,7 @@ Division as_pays(std::size_t spheres) {
 }  // namespace
 
 Division choose_division(const World& world, const EngineOptions& options) {
-  if (!what_prevents_division(world.box(), world.interactions()).empty()) return {};
+  if (!goes_with(Feature::threads, world.features())) return {};
   if (options.division) return *options.division;
   if (options.threads == 0) return as_pays(world.size());
   return {.domains = options.threads, .threads = options.threads};
@@ -91,8 +91,7 @@ std::unique_ptr<EngineBase> make_engine(World world, EngineKind engine, const En
 }
 
 bool must_be_replaced(const EngineBase& engine) {
-  const World& setting = engine.setting();
-  return engine.blocks().size() > 1 && !what_prevents_division(setting.box(), setting.interactions()).empty();
+  return engine.blocks().size() > 1 && !goes_with(Feature::threads, engine.setting().features());
 }
 
 void check(const EngineOptions& options) {
@@ -103,34 +102,21 @@ void check(const EngineOptions& options) {
   if (options.cell_edge) check_positive(*options.cell_edge, "the cell edge", "cell edge");
 }
 
-void check_division(const EngineOptions& options, const Processes& processes, const Box& box,
-                    const Interactions& interactions) {
+void check_features(const EngineOptions& options, const Processes& processes, Features features) {
   constexpr std::size_t kMostThreads = 1024;
   if (options.threads > kMostThreads) {
     throw Error("there are to be " + to_text(options.threads) + " threads", "threads",
                 "give at most " + to_text(kMostThreads) + ", and no more than there are processors");
   }
-  const std::string hindrance(what_prevents_division(box, interactions));
-  const bool are_several = processes.size() > 1;
-  if (are_several && !hindrance.empty())
-    throw Error("processes cannot share " + hindrance, "processes", "leave it out, or run it in one process");
-  if (are_several && (options.engine == EngineKind::all_pairs || options.engine == EngineKind::paper)) {
-    const auto kind = static_cast<std::size_t>(options.engine);
-    throw Error("the engine " + std::string(kEngineNames[kind]) + " has one process", "engine",
-                "use cells or neighbors, or run it in one process");
-  }
-  if (options.threads > 1 && !hindrance.empty()) {
-    throw Error("threads cannot share " + hindrance, "threads", "use one thread, or as many as pay");
-  }
+  features.add(Feature::threads, options.threads > 1);
+  features.add(Feature::processes, processes.size() > 1);
+  features.add(Feature::all_pairs, options.engine == EngineKind::all_pairs);
+  features.add(Feature::paper, options.engine == EngineKind::paper);
+  check_exclusions(features);
 }
 
 EngineKind choose_engine(const World& world, const GasStatistics& statistics, const EngineOptions& options,
                          const Time& moment, EngineKind current) {
-  if (options.engine == EngineKind::paper && !PaperEngine::supports(world)) {
-    throw Error(
-        "the paper's engine knows only straight paths, and no images that slide, nor those of obstacles",
-        "engine", "use another engine");
-  }
   const bool has_lists = NeighborList::supports(world);
   if (has_lists && options.engine == EngineKind::neighbors) return options.engine;
   if (options.engine == EngineKind::all_pairs || options.engine == EngineKind::paper) return options.engine;

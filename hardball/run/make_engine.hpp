@@ -29,7 +29,8 @@ bool must_be_replaced(const EngineBase& engine);
 /// The engine for a world as it is at `moment`, with these statistics: the one that the options fix, if it
 /// suits the world, or the one that kinetic theory predicts to be the fastest; never `automatic`. `current`
 /// is the one in use; another must be cheaper by a tenth to replace it. The world may be a sample of that
-/// which the statistics describe.
+/// which the statistics describe. Precondition: check_features accepts the options for the features of the
+/// world.
 EngineKind choose_engine(const World& world, const GasStatistics& statistics, const EngineOptions& options,
                          const Time& moment, EngineKind current = EngineKind::automatic);
 

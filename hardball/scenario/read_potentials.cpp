@@ -98,25 +98,17 @@ BondsDescription read_bonds(const Section& section, const std::filesystem::path&
   return bonds;
 }
 
-void refuse_what_does_not_go_with_steps(const Scenario& scenario, const std::string& where) {
-  const auto refuse = [&where](const char* what) {
-    throw Error(std::string("potentials of steps do not go with ") + what, where, "remove one of them");
-  };
-  if (scenario.gravity != Vec3{}) refuse("gravity");
-  if (scenario.has_merging()) refuse("spheres that merge");
-}
-
 }  // namespace
 
 void read_potentials(const Section& root, Scenario& scenario) {
   for (const Section& section : root.sections("potentials")) {
     scenario.potentials.push_back(read_potential(section, scenario));
-    refuse_what_does_not_go_with_steps(scenario, section.location());
+    check_exclusions(Feature::steps, scenario.features(), section.location());
   }
   const std::filesystem::path folder = std::filesystem::path(scenario.name).parent_path();
   for (const Section& section : root.sections("bonds")) {
     scenario.bonds.push_back(read_bonds(section, folder));
-    refuse_what_does_not_go_with_steps(scenario, section.location());
+    check_exclusions(Feature::steps, scenario.features(), section.location());
   }
 }
 

@@ -253,18 +253,13 @@ void read_measures(const Section& section, MeasureSettings& measures) {
   if (const auto from = section.find("from")) measures.from = from->number();
 }
 
-// Measures need the same spheres throughout, of constant sizes, and finite masses.
+// By default measures are taken where nothing excludes them.
 void leave_out_measures(const Section& root, Scenario& scenario) {
-  const bool is_kinematic = std::ranges::any_of(scenario.spheres, &SphereGroup::is_kinematic);
-  if (!scenario.has_merging() && !is_kinematic && !scenario.growth) return;
+  if (goes_with(Feature::measures, scenario.features())) return;
   const std::optional<Section> measures = root.section("measures");
-  if (measures && measures->find("names") && !scenario.measures.names.empty()) {
-    const char* const unsupported = is_kinematic      ? "kinematic spheres"
-                                    : scenario.growth ? "spheres that grow"
-                                                      : "spheres that merge";
-    throw Error(std::string("measures do not support ") + unsupported, measures->need("names").location(),
-                "give names = [], for no measures");
-  }
+  const std::optional<Value> names = measures ? measures->find("names") : std::nullopt;
+  if (names && !scenario.measures.names.empty())
+    check_exclusions(Feature::measures, scenario.features(), names->location());
   scenario.measures.names.clear();
 }
 
@@ -315,10 +310,17 @@ double Scenario::restitution() const {
   return is_alike ? constant->value : std::numeric_limits<double>::quiet_NaN();
 }
 
-bool Scenario::has_merging() const {
-  return merges || std::ranges::any_of(pairs, [](const PairDescription& pair) {
-           return pair.outcome == ContactOutcome::merge;
-         });
+Features Scenario::features() const {
+  const auto merge = [](const PairDescription& pair) { return pair.outcome == ContactOutcome::merge; };
+  Features features;
+  features.add(Feature::flat, dimensions() == 2);
+  features.add(Feature::gravity, gravity != Vec3{});
+  features.add(Feature::growth, growth.has_value());
+  features.add(Feature::shear, shear.is_present());
+  features.add(Feature::steps, has_steps());
+  features.add(Feature::merging, merges || std::ranges::any_of(pairs, merge));
+  features.add(Feature::kinematic, std::ranges::any_of(spheres, &SphereGroup::is_kinematic));
+  return features;
 }
 
 double SphereGroup::mass_of(std::size_t index) const {

@@ -169,8 +169,9 @@ struct HARDBALL_EXPORT Scenario {
 
   /// The constant coefficient of restitution of all contacts of smooth spheres [1]; NaN if they have none.
   double restitution() const;
-  /// Whether spheres may merge.
-  bool has_merging() const;
+  /// The features that spheres, the box, gravity, growth and rules of contacts other than roughness and
+  /// passing have.
+  Features features() const;
   /// Whether there are potentials of steps.
   bool has_steps() const { return !potentials.empty() || !bonds.empty(); }
 };

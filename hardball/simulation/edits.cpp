@@ -26,7 +26,7 @@ void Simulation::respond_with(Function<Outcome(const Contact&)> response) {
   check_editable("respond_with");
   Interactions changed = setting().interactions();
   changed.set_function(std::move(response));
-  check_division(options(), processes(), setting().box(), changed);
+  check_features(options(), processes(), setting().features_with(changed));
   manager_->engine().mutable_world().set_interactions(changed);
   sums_.tally.set_interactions(changed);
 }
@@ -37,7 +37,7 @@ void Simulation::respond_with(const ResponseTable& table) {
   responses.pass_as_in(setting().interactions().table());
   Interactions changed(responses);
   changed.set_steps(setting().interactions().steps());
-  check_division(options(), processes(), setting().box(), changed);
+  check_features(options(), processes(), setting().features_with(changed));
   manager_->engine().mutable_world().set_interactions(changed);
   sums_.tally.set_interactions(changed);
 }
@@ -61,6 +61,7 @@ void Simulation::add_actor(std::unique_ptr<Actor> actor) {
 
 void Simulation::grow(const GrowthRules& rules, std::optional<double> compressibility) {
   check_editable("grow");
+  check_exclusions(world().features() | Feature::growth);
   manager_->end_look_ahead(now_);
   GrowthActor growth;
   growth.schedule.emplace(rules);

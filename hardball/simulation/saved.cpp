@@ -65,7 +65,7 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where, Pr
           loaded.actors_.thermostat.thermostat, *loaded.user_data_, post_contact_state.merged, counters,
           post_contact_state.collapse, loaded.actors_.growth.schedule);
   for (const SphereId merged : post_contact_state.merged.ids()) static_cast<void>(world.slot_of(merged));
-  check_division(saved.options, processes, world.box(), world.interactions());
+  check_features(saved.options, processes, world.features());
   loaded.begin_loaded(saved.options, kind, counters, world, where, processes);
   loaded.manager_->prepare(world, loaded.now_);
   loaded.manager_->start(std::move(world), loaded.now_);
@@ -153,7 +153,7 @@ Simulation Simulation::load_blocks(std::string_view saved, const std::vector<std
   loaded.sums_ = std::move(head.sums);
   loaded.actors_ = std::move(head.actors);
   *loaded.user_data_ = std::move(head.user_data);
-  check_division(head.options.options, processes, part.box(), part.interactions());
+  check_features(head.options.options, processes, part.features());
   loaded.begin_loaded(head.options.options, head.kind, head.counters, part, where, processes);
   if (processes.size() > 1) {
     loaded.start_parts(std::move(part), loaded.now_, post_contact_state.collapse);

@@ -48,7 +48,7 @@ Simulation::Simulation(World world, const EngineOptions& options, Processes& pro
     : manager_(ValuePointer<EngineManager>::make(options, processes)),
       now_(latest_change(world)),
       user_data_(ValuePointer<UserData>::make()) {
-  check_division(options, processes, world.box(), world.interactions());
+  check_features(options, processes, world.features());
   const Progress progress(on_progress);
   progress.record(0, 1);
   begin_paths(world, now_);
@@ -62,7 +62,7 @@ Simulation::Simulation(World world, const EngineOptions& options, Processes& pro
 
 Simulation Simulation::from_parts(World part, const EngineOptions& options, Processes& processes) {
   if (processes.size() == 1) return Simulation(std::move(part), options);
-  check_division(options, processes, part.box(), part.interactions());
+  check_features(options, processes, part.features());
   Simulation simulation;
   simulation.manager_ = ValuePointer<EngineManager>::make(options, processes);
   simulation.start_parts(std::move(part), std::nullopt, {});
@@ -124,10 +124,8 @@ RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
   // Without measures, the world is not needed.
   if (!measures.is_any_wanted()) return run_with(limits, nullptr);
   measures.check_spheres(world());
-  if (growth() || setting().motion().has_growth()) {
-    throw Error("spheres grow, and measures need constant sizes", "measures",
-                "run without measures until growth has been stopped");
-  }
+  if (growth() || setting().motion().has_growth())
+    check_exclusions(Feature::measures, Feature::growth, "measures");
   return run_with(limits, &measures);
 }
 
@@ -201,9 +199,8 @@ void Simulation::log(const Contact& contact, Measures* measures) {
 void Simulation::note_merger(const Contact& contact, const Measures* measures) {
   note_removed(contact.second);
   if (measures && measures->is_any_wanted()) {
-    throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
-                    " have merged, and measures need all spheres",
-                "measures", "run without measures");
+    check_exclusions(Feature::measures, Feature::merging,
+                     "spheres " + to_text(contact.first) + " and " + to_text(contact.second));
   }
 }
 
@@ -298,7 +295,7 @@ void Simulation::check_editable(const char* what) const {
 // How large spheres are to become is known from their volume.
 void Simulation::check_not_growing(const char* what) const {
   if (!growth() || growth()->is_over()) return;
-  throw Error("spheres grow, and their number must stay", what, "wait until growth is over, or stop it");
+  check_exclusions(Feature::births, Feature::growth, what);
 }
 
 void Simulation::check_not_past(const Time& time) const {
@@ -432,7 +429,7 @@ void Simulation::set_threads(std::size_t threads) {
   check_idle("set_threads");
   EngineOptions changed = options();
   changed.threads = threads;
-  check_division(changed, processes(), setting().box(), setting().interactions());
+  check_features(changed, processes(), setting().features());
   manager_->set_threads(threads, now_);
 }
 

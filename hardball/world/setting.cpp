@@ -11,6 +11,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
@@ -107,15 +108,53 @@ void check_setting(const Box& box, const Motion& motion, std::span<const Surface
   for (const Surface& surface : surfaces) {
     refuse_in_periodic_box(surface, box);
     refuse_behind_faces(surface, box);
-    if (!box.is_sheared() || surface.normal() != nullptr) continue;
-    const bool is_obstacle = std::holds_alternative<Obstacle>(surface.shape());
-    throw Error("the box is sheared, and there is " +
-                    (is_obstacle ? "an obstacle" : "a " + std::string(surface.name())),
-                "walls", "use planes across z, or no surfaces");
   }
   if (!box.is_flat()) return;
   refuse_out_of_plane(gravity, "gravity", "gravity");
   for (const Surface& surface : surfaces) refuse_out_of_plane(surface);
+}
+
+// Error: spheres of two species pass through each other, and have a potential.
+void refuse_steps_of_passing(const Interactions& interactions) {
+  if (!interactions.has_passing()) return;
+  const StepTable& steps = interactions.steps();
+  // Species beyond those that are named are alike.
+  const std::size_t species = std::max(interactions.table().species(), steps.species()) + 1;
+  const std::size_t most = std::numeric_limits<SpeciesId>::max() + std::size_t{1};
+  for (std::size_t a = 0; a < std::min(species, most); ++a) {
+    for (std::size_t b = 0; b <= a; ++b) {
+      const auto one = static_cast<SpeciesId>(a);
+      const auto other = static_cast<SpeciesId>(b);
+      if (!interactions.pass(one, other) || steps.of(one, other) == StepTable::kNone) continue;
+      throw Error("there are potentials of steps, and spheres of the same species pass through each other",
+                  "potential", "give the potential a core of zero");
+    }
+  }
+}
+
+Features features_of(const Interactions& interactions) {
+  Features features;
+  features.add(Feature::steps, !interactions.steps().empty());
+  features.add(Feature::merging, interactions.table().has_merging());
+  features.add(Feature::custom_response, static_cast<bool>(interactions.function()));
+  features.add(Feature::passing, interactions.has_passing());
+  features.add(Feature::roughness, interactions.table().is_rough());
+  return features;
+}
+
+Features features_of_walls(const Box& box, std::span<const Surface> surfaces) {
+  Features features;
+  const auto add = [&](const SurfaceMaterial& material, const Vec3& velocity) {
+    features.add(Feature::moving_walls, velocity != Vec3{});
+    features.add(Feature::thermal_walls, material.temperature.has_value());
+  };
+  for (Face face = 0; face < kFaces; ++face) add(box.face(face).material, box.face(face).velocity);
+  for (const Surface& surface : surfaces) {
+    add(surface.material(), surface.velocity());
+    features.add(Feature::oscillating_walls, std::holds_alternative<OscillatingPlane>(surface.shape()));
+    features.add(Feature::curved_walls, surface.normal() == nullptr);
+  }
+  return features;
 }
 
 }  // namespace
@@ -142,22 +181,6 @@ void check_growth(const Growth& growth) {
   }
 }
 
-void check_walls_for_growth(const Box& box, std::span<const Surface> surfaces) {
-  const auto check = [](const SurfaceMaterial& material, const Vec3& velocity) {
-    if (velocity != Vec3{}) throw Error("spheres grow, and a wall moves", "growth", "keep it at rest");
-    if (!material.temperature) return;
-    throw Error("spheres grow, and a wall has a temperature", "growth", "let it reflect them");
-  };
-  for (Face face = 0; face < kFaces; ++face) {
-    if (box.is_wall(axis_of(face))) check(box.face(face).material, box.face(face).velocity);
-  }
-  for (const Surface& surface : surfaces) {
-    check(surface.material(), surface.velocity());
-    if (!std::holds_alternative<OscillatingPlane>(surface.shape())) continue;
-    throw Error("spheres grow, and a wall oscillates", "growth", "keep it at rest");
-  }
-}
-
 double largest_fitting_radius(const Box& box, std::span<const Surface> surfaces) {
   double radius = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -167,11 +190,16 @@ double largest_fitting_radius(const Box& box, std::span<const Surface> surfaces)
   return radius;
 }
 
+Setting::Setting(const Box& box) : box_(box) {
+  derive();
+}
+
 Setting::Setting(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces)
     : box_(box), motion_(gravity), surfaces_(std::move(surfaces)) {
   check_setting(box_, motion_, surfaces_);
-  refuse_shear_with_others();
   divide_surfaces();
+  derive();
+  check_exclusions(features_);
 }
 
 void Setting::divide_surfaces() {
@@ -190,28 +218,30 @@ void Setting::divide_surfaces() {
   obstacles_ = ObstacleTree(std::move(at_rest));
 }
 
+Features Setting::features_with(const Interactions& interactions) const {
+  Features features = features_of(interactions) | features_of_walls(box_, surfaces_);
+  features.add(Feature::flat, box_.is_flat());
+  features.add(Feature::gravity, !motion_.is_straight());
+  features.add(Feature::growth, motion_.has_growth());
+  features.add(Feature::shear, box_.is_sheared());
+  features.add(Feature::obstacle_images, has_images_of_obstacles(*this));
+  return features;
+}
+
 void Setting::derive() {
-  has_steps_ = !interactions_.steps().empty();
+  features_ = features_with(interactions_);
   bounding_scale_ = std::max(motion_.largest_scale(), interactions_.steps().range());
 }
 
 void Setting::set_interactions(const Interactions& interactions) {
-  const Interactions before = std::exchange(interactions_, interactions);
+  refuse_steps_of_passing(interactions);
+  check_exclusions(features_with(interactions));
+  interactions_ = interactions;
   derive();
-  try {
-    refuse_steps_with_others();
-    if (motion_.has_growth()) refuse_growth_with_others();
-    refuse_shear_with_others();
-  } catch (...) {
-    interactions_ = before;
-    derive();
-    throw;
-  }
 }
 
 void Setting::set_growth(const Growth& growth) {
   check_growth(growth);
-  refuse_growth_with_others();
   motion_.set_growth(growth);
   derive();
 }
@@ -221,59 +251,13 @@ void Setting::end_growth() {
   derive();
 }
 
-void Setting::refuse_growth_with_others() const {
-  const auto refuse = [](const char* what, const char* remedy) {
-    throw Error(std::string("spheres grow, and ") + what, "growth", remedy);
-  };
-  if (!motion_.is_straight()) refuse("there is gravity", "remove one of them");
-  if (interactions_.table().is_rough()) refuse("some are rough, or spin", "make them smooth");
-  if (interactions_.table().has_merging()) refuse("some merge", "let them bounce");
-  if (interactions_.has_passing()) refuse("some pass through each other", "let them bounce");
-  if (has_steps_) refuse("there are potentials of steps", "remove one of them");
-  if (box_.is_sheared()) refuse("the box is sheared", "remove one of them");
-  check_walls_for_growth(box_, surfaces_);
-}
-
-void Setting::refuse_shear_with_others() const {
-  if (!box_.is_sheared()) return;
-  const auto refuse = [](const char* what, const char* remedy) {
-    throw Error(std::string("the box is sheared, and ") + what, "shear", remedy);
-  };
-  if (!motion_.is_straight()) refuse("there is gravity", "remove one of them");
-  if (has_steps_) refuse("there are potentials of steps", "remove one of them");
-}
-
-void Setting::refuse_steps_with_others() const {
-  if (!has_steps_) return;
-  const auto refuse = [](const char* what, const char* remedy) {
-    throw Error(std::string("there are potentials of steps, and ") + what, "potential", remedy);
-  };
-  if (!motion_.is_straight()) refuse("there is gravity", "remove one of them");
-  if (motion_.has_growth()) refuse("spheres grow", "remove one of them");
-  if (interactions_.table().has_merging()) refuse("some spheres merge", "let them bounce");
-  if (!interactions_.has_passing()) return;
-  const StepTable& steps = interactions_.steps();
-  // Species beyond those that are named are alike.
-  const std::size_t species = std::max(interactions_.table().species(), steps.species()) + 1;
-  const std::size_t most = std::numeric_limits<SpeciesId>::max() + std::size_t{1};
-  for (std::size_t a = 0; a < std::min(species, most); ++a) {
-    for (std::size_t b = 0; b <= a; ++b) {
-      const auto one = static_cast<SpeciesId>(a);
-      const auto other = static_cast<SpeciesId>(b);
-      if (interactions_.pass(one, other) && steps.of(one, other) != StepTable::kNone)
-        refuse("spheres of the same species pass through each other", "give the potential a core of zero");
-    }
-  }
-}
-
 bool Setting::restored() {
-  derive();
-  refuse_steps_with_others();
   check_setting(box_, motion_, surfaces_);
-  divide_surfaces();
+  refuse_steps_of_passing(interactions_);
   check_growth(motion_.growth());
-  if (motion_.has_growth()) refuse_growth_with_others();
-  refuse_shear_with_others();
+  divide_surfaces();
+  derive();
+  check_exclusions(features_);
   return true;
 }
 

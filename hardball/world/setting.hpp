@@ -16,6 +16,7 @@
 #include "hardball/surfaces/obstacle_tree.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/box.hpp"
+#include "hardball/world/features.hpp"
 
 namespace hardball {
 
@@ -26,11 +27,11 @@ inline constexpr double kWallTolerance = 1e-12;
 /// contacts. A world is a setting and the spheres in it.
 class HARDBALL_EXPORT Setting {
  public:
-  explicit Setting(const Box& box = Box::open()) : box_(box) {}
+  explicit Setting(const Box& box = Box::open());
   /// `gravity` is the acceleration of all spheres [L/T^2]; `surfaces` are numbered from kFaces on. Error:
-  /// gravity is not finite or out of range, or there is shear, too; a surface that is not the same in every
-  /// periodic image of the box, and is no obstacle; a plane that no sphere can reach, as faces of the box are
-  /// in front of it; in two dimensions, gravity or a surface out of the plane.
+  /// gravity is not finite or out of range; two features exclude each other; a surface that is not the same
+  /// in every periodic image of the box, and is no obstacle; a plane that no sphere can reach, as faces of
+  /// the box are in front of it; in two dimensions, gravity or a surface out of the plane.
   Setting(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces);
 
   const Box& box() const { return box_; }
@@ -44,16 +45,20 @@ class HARDBALL_EXPORT Setting {
   std::span<const std::uint32_t> other_surfaces() const { return other_surfaces_; }
   /// What happens when spheres touch each other or a wall; by default they are smooth and elastic.
   const Interactions& interactions() const { return interactions_; }
+  /// What of the features of a world the setting has.
+  Features features() const { return features_; }
+  /// What it would have with other interactions. Cost: O(number of surfaces).
+  Features features_with(const Interactions& interactions) const;
   /// Whether there are potentials of steps.
-  bool has_steps() const { return has_steps_; }
+  bool has_steps() const { return features_.has(Feature::steps); }
   /// By how much bounding radii exceed base radii [1]: the largest scale of the present epoch of growth, or
   /// the range of the potentials of steps.
   double bounding_scale() const { return bounding_scale_; }
 
  protected:
-  // Error, and nothing changes: they exclude each other, or gravity, growth or shear excludes them.
+  // Error, and nothing changes: they exclude each other, or another feature.
   void set_interactions(const Interactions& interactions);
-  // Error: the epoch is impossible, or the setting excludes growth.
+  // Error: the epoch is impossible. Precondition: the features do not exclude growth.
   void set_growth(const Growth& growth);
   void end_growth();
   std::size_t memory_bytes() const {
@@ -67,9 +72,6 @@ class HARDBALL_EXPORT Setting {
     archive(self.box_, self.motion_, self.surfaces_, self.interactions_);
   }
   bool restored();
-  void refuse_growth_with_others() const;
-  void refuse_shear_with_others() const;
-  void refuse_steps_with_others() const;
   void derive();
   void divide_surfaces();
 
@@ -80,7 +82,7 @@ class HARDBALL_EXPORT Setting {
   std::vector<std::uint32_t> other_surfaces_;
   Interactions interactions_;
   double bounding_scale_ = 1;
-  bool has_steps_ = false;
+  Features features_;
 };
 
 /// Error, with `where` as its place: a vector in a box of two dimensions has a component along z; `what`
@@ -90,9 +92,6 @@ void refuse_out_of_plane(const Vec3& vector, const std::string& what, const std:
 /// Error: an epoch of growth has a number that is not finite, an end before its begin, or a scale that is not
 /// positive throughout.
 void check_growth(const Growth& growth);
-
-/// Error: a wall moves, oscillates or has a temperature, which growth excludes.
-void check_walls_for_growth(const Box& box, std::span<const Surface> surfaces);
 
 /// The radius of the largest sphere that fits into the box and into each surface that is closed around an
 /// axis or a center [L]; infinite in open space.

@@ -38,10 +38,7 @@ World::World(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces)
     : Setting(box, gravity, std::move(surfaces)) {}
 
 SphereId World::add(const Sphere& sphere, const Time& moment) {
-  if (motion().has_growth()) {
-    throw Error("spheres grow, and none can be added", name_of(next_id()),
-                "add all before growth begins, or stop it");
-  }
+  if (motion().has_growth()) check_exclusions(Feature::births, Feature::growth, name_of(next_id()));
   check(sphere);
   check_moment(moment, name_of(next_id()));
   Path path{sphere.position, sphere.velocity, moment};
@@ -104,9 +101,7 @@ void World::note_traits() {
 
 void World::check_mass(double mass, const std::string& where) const {
   if (mass != std::numeric_limits<double>::infinity()) return check_positive(mass, "mass", where);
-  if (motion().is_straight()) return;
-  throw Error("a kinematic sphere, of infinite mass, does not fall", where,
-              "give it a finite mass, or remove gravity");
+  check_exclusions(Feature::kinematic, features(), where);
 }
 
 void World::check_fits(double radius, std::size_t axis, const std::string& where) const {
@@ -123,6 +118,13 @@ void World::check_velocity(SphereId id, const Vec3& velocity) const {
     return;
   check_vector(velocity, kVelocityNames, name_of(id));
   check_in_plane(velocity, "velocity", name_of(id));
+}
+
+Features World::features() const {
+  Features features = Setting::features();
+  features.add(Feature::kinematic, kinematic_count() > 0);
+  features.add(Feature::roughness, has_spins());
+  return features;
 }
 
 World World::without_spheres() const {
@@ -216,11 +218,7 @@ void World::set_interactions(const Interactions& interactions) {
 }
 
 void World::set_growth(const Growth& growth) {
-  const auto refuse = [](const char* what, const char* remedy) {
-    throw Error(std::string("spheres grow, and ") + what, "growth", remedy);
-  };
-  if (kinematic_count() > 0) refuse("some are kinematic, of infinite mass", "give them a finite mass");
-  if (has_spins()) refuse("some are rough, or spin", "make them smooth");
+  check_exclusions(features() | Feature::growth);
   const double largest = base_radii().largest() * growth.largest_scale();
   const double room = largest_fitting_radius(box(), surfaces());
   if (largest > room * (1 + kWallTolerance)) {

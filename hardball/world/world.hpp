@@ -46,6 +46,8 @@ class HARDBALL_EXPORT World : CompilationCheck, public Setting, public Spheres {
   /// Error: `change_velocity` would refuse this velocity.
   void check_velocity(SphereId id, const Vec3& velocity) const;
 
+  /// What the setting and the spheres have. Cost: O(1).
+  Features features() const;
   /// A world with the same setting and no spheres.
   World without_spheres() const;
   /// Stores a sphere with the id and the path that it has in another world with the same box, and returns its
@@ -92,14 +94,12 @@ class HARDBALL_EXPORT World : CompilationCheck, public Setting, public Spheres {
   /// box, and the new velocity. Returns by how many boxes the center was folded back.
   Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
 
-  /// Error, and nothing changes: the interactions exclude each other, or gravity, growth or shear excludes
-  /// them.
+  /// Error, and nothing changes: the interactions exclude each other, or a feature of the world.
   void set_interactions(const Interactions& interactions);
   /// Begins an epoch of growth, in which all radii are the base radii times a scale (geometry/growth.hpp).
   /// Structures that were made for the spheres must be rebuilt. Error: a number that is not finite, or a
   /// scale that is not positive throughout; spheres that do not fit the box or a surface at its largest
-  /// scale; anything that growth excludes: gravity, kinematic spheres, spins, rough spheres, species that
-  /// merge or pass through each other, walls that move or have a temperature.
+  /// scale; a feature of the world excludes growth.
   void set_growth(const Growth& growth);
   /// Ends growth: the radii at `moment` are the base radii from now on, and all paths begin anew. Structures
   /// that were made for the spheres must be rebuilt. Precondition: there is no journal.

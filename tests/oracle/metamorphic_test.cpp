@@ -32,7 +32,7 @@ EngineOptions some_options(std::uint64_t seed, const RandomWorld& made) {
       (made.world.size() == 0 || !NeighborList::supports(made.world))) {
     options.engine = EngineKind::cells;
   }
-  if (options.engine == EngineKind::paper && !PaperEngine::supports(made.world)) {
+  if (options.engine == EngineKind::paper && !goes_with(Feature::paper, made.world.features())) {
     options.engine = EngineKind::all_pairs;
   }
   return options;

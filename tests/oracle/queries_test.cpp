@@ -17,6 +17,7 @@
 #include "hardball/world/walls.hpp"
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
+#include "support/sheared.hpp"
 #include "support/walls_one_by_one.hpp"
 
 namespace hardball::queries_test {
@@ -414,6 +415,85 @@ TEST(Queries, ClearancesAreThoseOfTheNearestImage) {
       ASSERT_NEAR(gap->distance, distance_to(world, now, center, world.base_radius(slot), *gap), tolerance);
     }
   });
+}
+
+// The distance from the surface of the nearest image of a sphere, by trial of all images nearby.
+double slow_clearance_in_flow(const World& world, const Time& now, const Vec3& center, double radius,
+                              Slot self) {
+  constexpr int kRows = 12;
+  const Box& box = world.box();
+  double least = kInfinity;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (slot == self) continue;
+    for (int row = -kRows; row <= kRows; ++row) {
+      const Vec3 apart = world.position(slot, now) + box.shift({{0, row, 0}}, now) - center;
+      const double x = std::remainder(apart.x, box.period().x);
+      const double z = box.is_periodic(2) ? std::remainder(apart.z, box.period().z) : apart.z;
+      least = std::min(least, std::hypot(x, apart.y, z) - radius - world.base_radius(slot));
+    }
+  }
+  if (box.is_wall(2)) least = std::min({least, center.z - radius, box.size().z - center.z - radius});
+  return least;
+}
+
+TEST(Queries, ClearancesKnowImagesThatSlide) {
+  std::uint64_t asked = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(200); ++seed) {
+    const RandomWorld made = support::make_sheared_world(seed);
+    if (made.world.size() == 0) continue;
+    SCOPED_TRACE(made.name);
+    Simulation simulation(made.world);
+    simulation.run({.until = Time(made.until), .contacts = 40});
+    const World& world = simulation.world();
+    const Time& now = simulation.now();
+    const Box& box = world.box();
+    const double radius = world.largest_radius();
+    const double tolerance = 1e-9 * (box.size().x + box.size().y + radius);
+    const auto none = static_cast<Slot>(world.size());
+    for (Slot slot = 0; slot < std::min<Slot>(none, 10); ++slot, ++asked) {
+      const Vec3 center = world.position(slot, now);
+      const std::optional<Clearance> gap = simulation.clearance(world.id(slot));
+      const double expected = slow_clearance_in_flow(world, now, center, world.base_radius(slot), slot);
+      ASSERT_EQ(gap.has_value(), expected < kInfinity);
+      if (gap) {
+        ASSERT_NEAR(gap->distance, expected, tolerance);
+      }
+      const Vec3 beside = center + Vec3{0.7 * radius, 0.9 * radius, 0};
+      const double room = slow_clearance_in_flow(world, now, beside, 0, none);
+      // The same in another box.
+      ASSERT_NEAR(simulation.clearance(beside + box.shift({{3, 2, 0}}, now))->distance, room, tolerance);
+    }
+  }
+  EXPECT_GT(asked, 5 * support::cases(200));
+}
+
+// Two spheres in boxes so much longer than high that the nearest image may lie several rows away.
+TEST(Queries, ClearancesKnowImagesInRowsFartherAway) {
+  Random random(5);
+  bool is_any_far = false;
+  for (int i = 0; i < 300; ++i) {
+    Box box = Box::periodic({12, 1.5, 6});
+    box.set_shear({.rate = random.uniform(), .offset = 12 * random.uniform()});
+    World world(box);
+    world.add({.position = {12 * random.uniform(), 1.5 * random.uniform(), 1}, .radius = 0.1});
+    world.add({.position = {12 * random.uniform(), 1.5 * random.uniform(), 2}, .radius = 0.2});
+    const Time now(20 * random.uniform());
+    const double gap = clearance(world, now, SphereId{0})->distance;
+    ASSERT_NEAR(gap, slow_clearance_in_flow(world, now, world.position(0, now), 0.1, 0), 1e-9);
+    is_any_far = is_any_far || gap > 1.5;
+  }
+  EXPECT_TRUE(is_any_far);
+}
+
+// All spheres are at rest, and as large as they are now.
+TEST(Queries, RaysHitSpheresThatGrowWhereTheyAreNow) {
+  World world(Box::open());
+  world.add({.position = {4, 0, 0}, .radius = 1});
+  world.set_growth({.begin = Time(0), .end = Time(10), .scale = 1, .rate = 0.1});
+  EXPECT_DOUBLE_EQ(ray(world, Time(0), {}, {1, 0, 0}, 10)->distance, 3);
+  EXPECT_DOUBLE_EQ(ray(world, Time(5), {}, {1, 0, 0}, 10)->distance, 2.5);
+  EXPECT_FALSE(ray(world, Time(0), {0, 1.2, 0}, {1, 0, 0}, 10));
+  EXPECT_TRUE(ray(world, Time(5), {0, 1.2, 0}, {1, 0, 0}, 10));
 }
 
 }  // namespace

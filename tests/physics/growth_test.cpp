@@ -186,7 +186,7 @@ TEST(GrowingSpheres, AreRefusedWhereTheyCannotBe) {
               std::string::npos);
   }
   EXPECT_NE(refusal_of([&] {
-              static_cast<void>(simulation.ray({1, 1, 1}, {1, 0, 0}, 1));
+              static_cast<void>(simulation.first_contact(0, {1, 0, 0}, simulation.time() + 1));
             }).find("grow"),
             std::string::npos);
 }

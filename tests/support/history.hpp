@@ -45,7 +45,7 @@ inline std::vector<EngineVariant> engine_variants(const World& world) {
     if (!world.box().is_open(axis)) extent = std::max(extent, 1.5 * world.box().size()[axis]);
   }
   add(EngineKind::all_pairs, std::nullopt);
-  if (PaperEngine::supports(world)) {
+  if (goes_with(Feature::paper, world.features())) {
     add(EngineKind::paper, diameter);
     add(EngineKind::paper, 2.5 * diameter);
   }

@@ -128,7 +128,8 @@ TEST(MakeEngine, HasTheBestLengthOfItsKind) {
 
 TEST(MakeEngine, RefusesThePapersAlgorithmForCurvedPaths) {
   const World world(Box::open(), {0, 0, -1});
-  EXPECT_THROW(choose(world, {.engine = EngineKind::paper}), Error);
+  EXPECT_THROW(check_features({.engine = EngineKind::paper}, one_process(), world.features()), Error);
+  EXPECT_NO_THROW(check_features({.engine = EngineKind::cells}, one_process(), world.features()));
 }
 
 }  // namespace

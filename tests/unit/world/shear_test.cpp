@@ -118,7 +118,7 @@ TEST(ShearedWorld, RefusesWhatDoesNotGoTogether) {
   const std::string sheared = "the box is sheared, and ";
   EXPECT_EQ(problem_of([] { World(sheared_box(), {0, 0, -1}); }), sheared + "there is gravity");
   const Surface tube(Cylinder({1, 0, 0}, 1), {0, 2.5, 3});
-  EXPECT_EQ(problem_of([&] { World(sheared_box(), {}, {tube}); }), sheared + "there is a cylinder");
+  EXPECT_EQ(problem_of([&] { World(sheared_box(), {}, {tube}); }), sheared + "a surface is not a plane");
   World world(sheared_box());
   world.add({.position = {3, 4, 2}, .radius = 0.5});
   EXPECT_NE(
@@ -130,7 +130,7 @@ TEST(ShearedWorld, RefusesWhatDoesNotGoTogether) {
   EXPECT_EQ(problem_of([&] { world.set_interactions(interactions); }),
             sheared + "there are potentials of steps");
   EXPECT_FALSE(world.has_steps()) << "what is refused is not kept";
-  EXPECT_NE(problem_of([&] { static_cast<void>(clearance(world, Time(0), {1, 1, 1})); }), "");
+  EXPECT_NE(problem_of([&] { static_cast<void>(ray(world, Time(0), {1, 1, 1}, {1, 0, 0}, 1)); }), "");
   EXPECT_NE(problem_of([&] { Simulation(world, {.engine = EngineKind::paper}); }), "");
   EXPECT_EQ(problem_of([&] { Simulation(world, {.threads = 2}); }), "threads cannot share a sheared box");
 }
