@@ -101,14 +101,13 @@ Surface scaled(const Surface& surface, double length, double speed) {
   const Shape shape = std::visit(
       [&](const auto& old) -> Shape {
         using Old = std::remove_cvref_t<decltype(old)>;
-        if constexpr (std::is_same_v<Old, Plane>) return old;
         if constexpr (std::is_same_v<Old, OscillatingPlane>) {
           return OscillatingPlane(old.normal(), length * old.amplitude(), speed / length * old.frequency());
         }
         if constexpr (std::is_same_v<Old, Cylinder>) return Cylinder(old.axis(), length * old.radius());
         if constexpr (std::is_same_v<Old, HollowSphere>) return HollowSphere(length * old.radius());
-        if constexpr (std::is_same_v<Old, Cone>) return old;
         if constexpr (std::is_same_v<Old, Obstacle>) return Obstacle(length * old.radius());
+        return surface.shape();
       },
       surface.shape());
   return {shape, length * surface.point(), speed * surface.velocity(), surface.material()};
