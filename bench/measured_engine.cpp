@@ -38,31 +38,12 @@ constexpr double kRadius = 0.5;
 constexpr std::size_t kMinSpheres = 2;
 constexpr std::size_t kMaxSpheres = 1'000'000'000;
 
-template <class Value>
-struct Named {
+struct NamedCounter {
   std::string_view name;
-  Value value;
+  std::uint64_t Counters::*value;
 };
 
-constexpr Named<EngineKind> named(EngineKind kind) {
-  return {kEngineNames[static_cast<std::size_t>(kind)], kind};
-}
-constexpr Named<EngineKind> kEngines[] = {named(EngineKind::automatic), named(EngineKind::cells),
-                                          named(EngineKind::neighbors), named(EngineKind::all_pairs),
-                                          named(EngineKind::paper)};
-
-constexpr Named<InstructionSet> named(InstructionSet instructions) {
-  return {kInstructionSetNames[static_cast<std::size_t>(instructions)], instructions};
-}
-constexpr Named<InstructionSet> kInstructions[] = {
-    named(InstructionSet::portable), named(InstructionSet::avx2), named(InstructionSet::avx512)};
-
-constexpr Named<Placement> kPlacements[] = {
-    {"fcc", Placement::fcc}, {"hexagonal", Placement::hexagonal}, {"random", Placement::random}};
-
-constexpr Named<Boundary> kBoundaries[] = {{"periodic", Boundary::periodic}, {"wall", Boundary::wall}};
-
-constexpr Named<std::uint64_t Counters::*> kCounters[] = {
+constexpr NamedCounter kCounters[] = {
     {"collision", &Counters::collision},
     {"wall", &Counters::wall},
     {"enter", &Counters::enter},
@@ -74,29 +55,6 @@ constexpr Named<std::uint64_t Counters::*> kCounters[] = {
     {"queue_operations", &Counters::queue_operations},
     {"rebuilds", &Counters::rebuilds},
 };
-
-template <class Value, std::size_t size>
-std::string names_in(const Named<Value> (&table)[size]) {
-  std::string all;
-  for (const Named<Value>& entry : table) all += (all.empty() ? "" : ", ") + std::string(entry.name);
-  return all;
-}
-
-template <class Value, std::size_t size>
-Value choose(const std::string& text, const Named<Value> (&table)[size], const char* option) {
-  for (const Named<Value>& entry : table) {
-    if (text == entry.name) return entry.value;
-  }
-  throw Error("there is no '" + text + "'", option, "choose one of " + names_in(table));
-}
-
-template <class Value, std::size_t size>
-std::string_view name_of(Value value, const Named<Value> (&table)[size]) {
-  for (const Named<Value>& entry : table) {
-    if (value == entry.value) return entry.name;
-  }
-  return "unknown";
-}
 
 struct Options {
   std::size_t spheres = 0;
@@ -134,10 +92,10 @@ World make_start(const Options& options) {
     throw Error("the number is " + to_text(options.dimensions), "--dimensions", "give 2 or 3");
   }
   const bool is_flat = options.dimensions == 2;
-  const Placement placement = choose(options.placement.value_or(is_mixture ? "random"
-                                                                : is_flat  ? "hexagonal"
-                                                                           : "fcc"),
-                                     kPlacements, "--placement");
+  const Placement placement = value_named<Placement>(options.placement.value_or(is_mixture ? "random"
+                                                                                : is_flat  ? "hexagonal"
+                                                                                           : "fcc"),
+                                                     "--placement");
   const std::size_t others = is_mixture ? options.spheres / 2 : 0;
   Scenario scenario;
   scenario.seed = options.seed;
@@ -153,7 +111,7 @@ World make_start(const Options& options) {
   add(others, kRadius * options.radius_ratio);
   const double box_volume = volume / options.packing_fraction;
   const double box_edge = is_flat ? std::sqrt(box_volume) : std::cbrt(box_volume);
-  scenario.box.fill({choose(options.boundary, kBoundaries, "--boundary"), box_edge});
+  scenario.box.fill({value_named<Boundary>(options.boundary, "--boundary"), box_edge});
   if (is_flat) scenario.box[2] = {Boundary::flat, std::nullopt};
   return make_world(scenario);
 }
@@ -187,7 +145,7 @@ long peak_rss_bytes() {
 
 Json ready_report(const Simulation& simulation, double setup_seconds) {
   Json json;
-  json["engine"] = name_of(simulation.engine(), kEngines);
+  json["engine"] = name_of(simulation.engine());
   json["cell_edge"] = simulation.cell_edge() > 0 ? Json(simulation.cell_edge()) : Json(nullptr);
   json["setup_seconds"] = setup_seconds;
   json["bytes_per_sphere"] =
@@ -259,9 +217,9 @@ void run(const Options& options) {
     throw Error("the number is " + to_text(options.equilibration), "--equilibration", "give zero or more");
   }
   EngineOptions engine_options;
-  engine_options.engine = choose(options.engine, kEngines, "--engine");
+  engine_options.engine = value_named<EngineKind>(options.engine, "--engine");
   if (options.instructions)
-    engine_options.instructions = choose(*options.instructions, kInstructions, "--instructions");
+    engine_options.instructions = value_named<InstructionSet>(*options.instructions, "--instructions");
   engine_options.threads = options.threads;
   engine_options.cell_edge = options.cell_edge;
   World start = make_start(options);
@@ -281,13 +239,13 @@ int parse_and_run(int argument_count, char** arguments) {
   app.add_option("--packing-fraction", options.packing_fraction, "Their volume over the box's")->required();
   app.add_option("--equilibration", options.equilibration, "Collisions per sphere before measuring");
   app.add_option("--seed", options.seed, "Seed of the random numbers");
-  app.add_option("--engine", options.engine, "One of " + names_in(kEngines));
+  app.add_option("--engine", options.engine, "One of " + all_names<EngineKind>());
   app.add_option("--instructions", options.instructions,
-                 "One of " + names_in(kInstructions) + "; the widest by default");
+                 "One of " + all_names<InstructionSet>() + "; the fastest by default");
   app.add_option("--threads", options.threads, "How many threads run them; 0 for as many as pay");
   app.add_option("--cell-edge", options.cell_edge, "Edge of the cells, instead of the best");
-  app.add_option("--placement", options.placement, "One of " + names_in(kPlacements));
-  app.add_option("--boundary", options.boundary, "One of " + names_in(kBoundaries));
+  app.add_option("--placement", options.placement, "One of " + all_names<Placement>());
+  app.add_option("--boundary", options.boundary, "One of " + all_names<Boundary>());
   app.add_option("--radius-ratio", options.radius_ratio,
                  "Ratio of the radii of the two halves of the spheres");
   try {

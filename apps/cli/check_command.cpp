@@ -38,12 +38,11 @@ std::string to_one_digit(double number) {
 }
 
 std::string describe(const Box& box) {
-  constexpr std::array<const char*, 3> kNames{"wall", "periodic", "open"};
   std::string text;
   for (std::size_t axis = 0; axis < box.dimensions(); ++axis) {
     if (axis > 0) text += " x ";
     if (!box.is_open(axis)) text += to_text(box.size()[axis]) + " ";
-    text += kNames[static_cast<std::size_t>(box.boundary(axis))];
+    text += name_of(box.boundary(axis));
   }
   if (box.is_flat()) text += ", two dimensions";
   return text;
@@ -252,7 +251,7 @@ ExitCode check(const CheckOptions& options) {
   add("mean speed", readable(statistics.mean_speed));
   add("mean free path", readable(mean_free_path(statistics)));
   add("mean free time", readable(mean_free_time(statistics)));
-  add("engine", name_of(simulation.engine()));
+  add("engine", std::string(name_of(simulation.engine())));
   if (length > 0) add(has_lists ? "skin of lists" : "cell edge", readable(length));
   add("memory",
       fmt::format("{:.4g} MB, {:.0f} bytes per sphere", bytes_per_sphere * spheres / 1e6, bytes_per_sphere));

@@ -116,9 +116,7 @@ std::string about_scenario(const std::filesystem::path& path) {
   std::string box;
   for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
     const auto& [boundary, size] = scenario.box[axis];
-    constexpr std::array<std::string_view, 3> kNames{"wall", "periodic", "open"};
-    box += (axis == 0 ? "" : " x ") + (size ? to_text(*size) + " " : "") +
-           std::string(kNames[static_cast<std::size_t>(boundary)]);
+    box += (axis == 0 ? "" : " x ") + (size ? to_text(*size) + " " : "") + std::string(name_of(boundary));
   }
   std::string text = heading(path, "scenario");
   text +=

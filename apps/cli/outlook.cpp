@@ -146,7 +146,7 @@ std::string engine_for(const EngineChoice& choice, const GasStatistics& statisti
     return choice.engine;
   const UnitCosts costs;
   const bool has_lists = best_skin(statistics, costs).cost < best_cell_edge(statistics, costs).cost;
-  return name_of(has_lists ? EngineKind::neighbors : EngineKind::cells);
+  return std::string(name_of(has_lists ? EngineKind::neighbors : EngineKind::cells));
 }
 
 }  // namespace

@@ -24,20 +24,6 @@
 namespace hardball::cli {
 namespace {
 
-// In the order of InstructionSet.
-constexpr std::array<std::string_view, 4> kInstructionNames{"auto", kInstructionSetNames[0],
-                                                            kInstructionSetNames[1], kInstructionSetNames[2]};
-
-std::size_t choose(const std::string& text, std::span<const std::string_view> names,
-                   const std::string& option) {
-  std::string all;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (text == names[i]) return i;
-    all += (i == 0 ? "" : ", ") + std::string(names[i]);
-  }
-  throw Error("unknown value '" + shortened(text) + "'", option, "choose one of " + all);
-}
-
 // Whether the run will be so long that measuring takes less than a hundredth of it.
 bool is_worth_measuring(const World& start, const Scenario& scenario) {
   constexpr double kLong = 10e9;  // nanoseconds
@@ -98,10 +84,10 @@ Scenario read_shared_scenario(const ScenarioChoice& choice, Processes& processes
 EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& scenario, const World& start,
                                   Processes& processes) {
   EngineOptions engine_options;
-  engine_options.engine = static_cast<EngineKind>(choose(choice.engine, kEngineNames, "--engine"));
+  engine_options.engine = value_named<EngineKind>(choice.engine, "--engine");
   engine_options.threads = read_threads(choice.threads);
-  const std::size_t instructions = choose(choice.instructions, kInstructionNames, "--instructions");
-  if (instructions > 0) engine_options.instructions = static_cast<InstructionSet>(instructions - 1);
+  if (choice.instructions != "auto")
+    engine_options.instructions = value_named<InstructionSet>(choice.instructions, "--instructions");
   const bool has_cells = engine_options.engine != EngineKind::all_pairs;
   if (choice.unit_costs != "auto") {
     engine_options.unit_costs = shared_unit_costs(choice.unit_costs, processes);
@@ -151,10 +137,6 @@ Start set_up(const EngineChoice& choice, const Scenario& scenario, bool is_quiet
       engine_options,
       start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1), processes),
       notes};
-}
-
-std::string name_of(EngineKind engine) {
-  return std::string(kEngineNames[static_cast<std::size_t>(engine)]);
 }
 
 }  // namespace hardball::cli

@@ -57,7 +57,4 @@ struct Start {
 Start set_up(const EngineChoice& choice, const Scenario& scenario, bool is_quiet,
              Processes& processes = one_process());
 
-/// The engine's name on the command line.
-std::string name_of(EngineKind engine);
-
 }  // namespace hardball::cli

@@ -220,7 +220,7 @@ std::string Summary::table() const {
   if (shear.is_present())
     add("shear", fmt::format("strain {:.6g}, work {:.6g}", shear.rate * end_time(),
                              tally.shear_work(state.totals.kinetic_energy.value())));
-  add("engine", name_of(state.engine));
+  add("engine", std::string(name_of(state.engine)));
   add_if_meant("cell edge", state.cell_edge);
   if (state.counters.rebuilds > 0) add("cells rebuilt", fmt::format("{} times", state.counters.rebuilds));
   add("seconds", fmt::format("{:.3g} setup, {:.3g} run", seconds.setup, seconds.run));

@@ -32,12 +32,11 @@ std::string build_type() {
 
 std::string instruction_sets() {
   std::string names;
-  for (std::size_t i = 0; i < kInstructionSetNames.size(); ++i) {
+  for (std::size_t i = 0; i < kNames<InstructionSet>.size(); ++i) {
     if (!is_compiled_in(static_cast<InstructionSet>(i))) continue;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", kInstructionSetNames[i]);
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", kNames<InstructionSet>[i]);
   }
-  const auto used = static_cast<std::size_t>(fastest_instruction_set());
-  return fmt::format("{}; {} on this machine", names, kInstructionSetNames[used]);
+  return fmt::format("{}; {} on this machine", names, name_of(fastest_instruction_set()));
 }
 
 }  // namespace

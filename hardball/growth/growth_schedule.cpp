@@ -211,10 +211,4 @@ Growth GrowthSchedule::stop(const Time& moment, double scale, State state) {
   return {moment, kNever, scale, 0};
 }
 
-std::string_view name_of(GrowthSchedule::State state) {
-  constexpr std::array<std::string_view, 5> kNames{"measuring", "growing", "reached", "over_pressure",
-                                                   "no_room"};
-  return kNames[static_cast<std::size_t>(state)];
-}
-
 }  // namespace hardball

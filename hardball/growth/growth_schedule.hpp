@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "hardball/describe/names.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/geometry/growth.hpp"
 #include "hardball/measure/tally.hpp"
@@ -123,7 +124,8 @@ class HARDBALL_EXPORT GrowthSchedule {
   Time begin_;
 };
 
-/// The name of a state: "measuring", "growing", "reached", "over_pressure" or "no_room".
-HARDBALL_EXPORT std::string_view name_of(GrowthSchedule::State state);
+template <>
+inline constexpr std::array<std::string_view, 5> kNames<GrowthSchedule::State>{
+    "measuring", "growing", "reached", "over_pressure", "no_room"};
 
 }  // namespace hardball

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "hardball/describe/names.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/interaction/species.hpp"
@@ -37,6 +38,8 @@ enum class ContactOutcome : std::uint8_t {
   pass,    ///< Spheres pass through each other, on unchanged paths.
   merge,   ///< Two spheres become one: the first, in the place and with the mass of both.
 };
+template <>
+inline constexpr std::array<std::string_view, 3> kNames<ContactOutcome>{"bounce", "pass", "merge"};
 
 /// Negative if bodies that are `separation` [L] apart approach each other [L^2/T]: the same expression whose
 /// sign decides whether a contact is predicted.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "hardball/describe/names.hpp"
 #include "hardball/errors/export.hpp"
 
 namespace hardball {
@@ -16,9 +17,8 @@ enum class InstructionSet {
   avx2,      ///< Four numbers in double precision at a time, eight in single precision.
   avx512,    ///< Sixteen numbers in single precision at a time, and mask registers.
 };
-
-/// The names of the instruction sets, in the order of InstructionSet.
-inline constexpr std::array<std::string_view, 3> kInstructionSetNames{"portable", "avx2", "avx512"};
+template <>
+inline constexpr std::array<std::string_view, 3> kNames<InstructionSet>{"portable", "avx2", "avx512"};
 
 /// The most numbers processed at a time: arrays that kernels read are padded by as many.
 inline constexpr std::size_t kWidestVector = 16;

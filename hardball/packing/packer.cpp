@@ -556,10 +556,4 @@ bool Packer::restored() const {
          grows == simulation_.growth().has_value();
 }
 
-std::string_view name_of(Packer::State state) {
-  constexpr std::array<std::string_view, 8> kNames{"filling",  "growing", "relaxing", "stepping",
-                                                   "weighing", "reached", "jammed",   "locked"};
-  return kNames[static_cast<std::size_t>(state)];
-}
-
 }  // namespace hardball

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/describe/names.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/packing/packing_plan.hpp"
@@ -175,7 +176,8 @@ class HARDBALL_EXPORT Packer {
   std::vector<PackingMoment> history_;
 };
 
-/// The name of a state: "filling", "growing" and so on.
-HARDBALL_EXPORT std::string_view name_of(Packer::State state);
+template <>
+inline constexpr std::array<std::string_view, 8> kNames<Packer::State>{
+    "filling", "growing", "relaxing", "stepping", "weighing", "reached", "jammed", "locked"};
 
 }  // namespace hardball

@@ -299,9 +299,4 @@ World world_of(const PackedSpheres& spheres, double temperature, std::uint64_t s
   return world;
 }
 
-std::string_view name_of(Status status) {
-  constexpr std::array<std::string_view, 3> kNames{"reached", "jammed", "not reached"};
-  return kNames[static_cast<std::size_t>(status)];
-}
-
 }  // namespace hardball

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hardball/describe/names.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/packing/contact_network.hpp"
 #include "hardball/packing/container.hpp"
@@ -74,7 +75,7 @@ HARDBALL_EXPORT Snapshot snapshot_of(const PackedSpheres& spheres);
 /// O(n).
 HARDBALL_EXPORT World world_of(const PackedSpheres& spheres, double temperature, std::uint64_t seed);
 
-/// The name of a status: "reached", "jammed" or "not reached".
-HARDBALL_EXPORT std::string_view name_of(Packing::Status status);
+template <>
+inline constexpr std::array<std::string_view, 3> kNames<Packing::Status>{"reached", "jammed", "not reached"};
 
 }  // namespace hardball

@@ -10,15 +10,14 @@
 #include <type_traits>
 #include <utility>
 
+#include "hardball/describe/field.hpp"
+#include "hardball/describe/names.hpp"
 #include "hardball/errors/error.hpp"
 
 namespace hardball {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// In the order of Boundary.
-constexpr std::array<const char*, 4> kBoundaryNames{"wall", "periodic", "open", "flat"};
 
 Json json_vector(const Vec3& vector) {
   return {vector.x, vector.y, vector.z};
@@ -147,7 +146,10 @@ class HeaderReader {
     check_triple(value);
     std::array<Boundary, kAxes> boundary{};
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      boundary[axis] = static_cast<Boundary>(index_of(value[axis], kBoundaryNames, "boundary"));
+      const Json& name = value[axis];
+      const auto found = find_named<Boundary>(name.is_string() ? name.get<std::string>() : "");
+      if (!found) fail("a boundary is unknown");
+      boundary[axis] = *found;
     }
     return boundary;
   }
@@ -262,15 +264,6 @@ class HeaderReader {
     if (!value.is_array() || value.size() != kAxes) fail("there are not three entries");
   }
 
-  template <std::size_t kCount>
-  std::size_t index_of(const Json& value, const std::array<const char*, kCount>& names,
-                       const std::string& what) const {
-    for (std::size_t k = 0; k < kCount; ++k) {
-      if (value == names[k]) return k;
-    }
-    fail("a " + what + " is unknown");
-  }
-
   const std::string* where_;
   std::string part_;
 };
@@ -282,7 +275,7 @@ std::string to_json(const RecordingHeader& header) {
   Json boundary = Json::array();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!header.box.is_open(axis)) size[axis] = header.box.size()[axis];
-    boundary.push_back(kBoundaryNames[static_cast<std::size_t>(header.box.boundary(axis))]);
+    boundary.push_back(name_of(header.box.boundary(axis)));
   }
   Json json;
   json["spheres"] = header.spheres;

@@ -50,7 +50,7 @@ class Actors {
   GrowthActor growth;
   ThermostatActor thermostat;
 
-  std::vector<ValuePointer<Actor>> own;  ///< Of the user.
+  std::vector<ValuePointer<Actor>> own;  ///< What Simulation::add_actor has added.
 
   /// Calls visit(actor) for all actors, in the order in which they act at the same time.
   template <class Visit>

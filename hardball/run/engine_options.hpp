@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "hardball/describe/names.hpp"
 #include "hardball/domains/division.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/kernels/instruction_set.hpp"
@@ -24,9 +25,9 @@ enum class EngineKind {
   all_pairs,  ///< Every sphere against every other: slow, and obviously correct.
   paper,      ///< The algorithm of the paper to the letter.
 };
-/// By the number of the kind: what users call them.
-inline constexpr std::array<std::string_view, 5> kEngineNames{"auto", "cells", "neighbors", "all-pairs",
-                                                              "paper"};
+template <>
+inline constexpr std::array<std::string_view, 5> kNames<EngineKind>{"auto", "cells", "neighbors", "all-pairs",
+                                                                    "paper"};
 
 struct EngineOptions {
   EngineKind engine = EngineKind::automatic;

@@ -10,6 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/scenario/scenario.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/world.hpp"
 
@@ -73,6 +74,12 @@ Values table(TableDescription keys) {
 }
 Values tables(TableDescription keys) {
   return Values{ValueType::tables}.or_table(std::move(keys));
+}
+
+// The names of the values of an enumeration up to `last`.
+template <Named Enum>
+Names names_until(Enum last) {
+  return {kNames<Enum>.begin(), kNames<Enum>.begin() + static_cast<std::ptrdiff_t>(last) + 1};
 }
 
 // A key that may be left out. Its meaning is a sentence without its full stop; the example, and the default
@@ -139,7 +146,7 @@ TableDescription box_keys() {
                   "2 for discs in a plane: the spheres have z = 0. Then `boundary` and `size` are for x and "
                   "y, vectors may have two numbers, and volumes are areas",
                   "2", "3"),
-              required("boundary", choices({"wall", "periodic", "open"}),
+              required("boundary", choices(names_until(Boundary::open)),
                        "the boundaries of the box along x, y and z", R"(["wall", "wall", "wall"])"),
               key("size", numbers(positive, "L"),
                   "edge lengths; the box spans 0 to size. Three numbers, or one for each axis that is not "
@@ -223,7 +230,7 @@ TableDescription spheres_keys() {
                        "their radius, or how their radii are distributed", "1.0"),
               key("mass", number(positive, "M").or_table(mass_keys()),
                   "their mass, or the density from which their masses follow", "2.0", "1.0"),
-              key("placement", choice({"random", "fcc", "hexagonal"}),
+              key("placement", choice(names_until(Placement::hexagonal)),
                   "`\"random\"`: anywhere without overlap with each other and with spheres that are listed; "
                   "beyond a packing fraction of 0.36 for equal spheres and 0.54 for equal discs they grow "
                   "into place, up to .97 of the packing fraction at which they jam; `\"fcc\"`: on a "

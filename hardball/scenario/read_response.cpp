@@ -61,8 +61,9 @@ void read_bounce(const Section& section, BounceRules& bounce) {
 
 PairDescription read_pair(const Section& section, const Scenario& scenario) {
   PairDescription pair;
-  pair.outcome = std::array{ContactOutcome::bounce, ContactOutcome::merge,
-                            ContactOutcome::pass}[section.need("kind").choice()];
+  const Value kind = section.need("kind");
+  static_cast<void>(kind.choice());
+  pair.outcome = *find_named<ContactOutcome>(kind.text());
   const Value between = section.need("between");
   const std::vector<Value> names = between.texts();
   if (names.size() != 2) between.wrong_length(names.size(), "give two species, or a species and \"wall\"");

@@ -12,9 +12,6 @@
 namespace hardball {
 namespace {
 
-// In the order of VelocityRule.
-constexpr std::array<std::string_view, 4> kVelocityKeys{"mean_speed", "temperature", "speed", "velocities"};
-
 void read_placement(const Section& section, SphereGroup& group) {
   if (const auto positions = section.find("positions")) {
     if (const auto placement = section.find("placement")) {
@@ -36,13 +33,14 @@ void read_placement(const Section& section, SphereGroup& group) {
 
 void read_velocities(const Section& section, SphereGroup& group) {
   std::optional<VelocityRule> rule;
-  for (std::size_t i = 0; i < kVelocityKeys.size(); ++i) {
-    const std::optional<Value> value = section.find(kVelocityKeys[i]);
+  for (std::size_t i = 0; i < kNames<VelocityRule>.size(); ++i) {
+    const std::optional<Value> value = section.find(kNames<VelocityRule>[i]);
     if (!value) continue;
     if (rule) {
-      const std::string_view first = kVelocityKeys[static_cast<std::size_t>(*rule)];
-      throw Error("both " + std::string(first) + " and " + std::string(kVelocityKeys[i]) + " are given",
-                  value->location(), "keep one of mean_speed, temperature, speed and velocities");
+      const std::string_view first = name_of(*rule);
+      throw Error(
+          "both " + std::string(first) + " and " + std::string(kNames<VelocityRule>[i]) + " are given",
+          value->location(), "keep one of mean_speed, temperature, speed and velocities");
     }
     rule = static_cast<VelocityRule>(i);
     if (rule == VelocityRule::listed) {

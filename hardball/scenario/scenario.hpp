@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/describe/names.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/growth/growth_schedule.hpp"
 #include "hardball/interaction/bounce.hpp"
@@ -32,6 +33,8 @@ enum class Placement {
   hexagonal,  ///< On a hexagonal lattice that fills a flat region.
   listed,     ///< Where SphereGroup::positions says.
 };
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<Placement>{"random", "fcc", "hexagonal", "listed"};
 
 /// How the velocities of a group's spheres are chosen.
 enum class VelocityRule {
@@ -40,6 +43,10 @@ enum class VelocityRule {
   speed,        ///< All have this |v| [L/T], in random directions.
   listed,       ///< As SphereGroup::velocities says.
 };
+/// The keys of scenarios.
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<VelocityRule>{"mean_speed", "temperature", "speed",
+                                                                      "velocities"};
 
 /// Spheres of one kind: a table [[spheres]] of a scenario.
 struct HARDBALL_EXPORT SphereGroup {

@@ -104,12 +104,4 @@ bool has_single_frame(SnapshotFormat format) {
          format == SnapshotFormat::lammps_data;
 }
 
-std::string_view name_of(SnapshotFormat format) {
-  constexpr std::array<std::string_view, 9> kNames{
-      "extended XYZ", "extended XYZ, compressed", "GSD, schema hoomd",
-      "LAMMPS dump",  "VTP collection",           "CSV table",
-      "NumPy array",  "EDMD snapshots",           "LAMMPS data file"};
-  return kNames[static_cast<std::size_t>(format)];
-}
-
 }  // namespace hardball

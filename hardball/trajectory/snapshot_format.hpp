@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "hardball/describe/names.hpp"
 #include "hardball/errors/export.hpp"
 
 namespace hardball {
@@ -33,7 +34,10 @@ HARDBALL_EXPORT bool is_compressed(const std::filesystem::path& path);
 /// Whether a file of this format has a single frame.
 HARDBALL_EXPORT bool has_single_frame(SnapshotFormat format);
 
-/// The name of a format, for people.
-HARDBALL_EXPORT std::string_view name_of(SnapshotFormat format);
+template <>
+inline constexpr std::array<std::string_view, 9> kNames<SnapshotFormat>{
+    "extended XYZ", "extended XYZ, compressed", "GSD, schema hoomd",
+    "LAMMPS dump",  "VTP collection",           "CSV table",
+    "NumPy array",  "EDMD snapshots",           "LAMMPS data file"};
 
 }  // namespace hardball

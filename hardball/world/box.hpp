@@ -11,6 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "hardball/describe/names.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/sliding_images.hpp"
@@ -26,6 +27,9 @@ enum class Boundary {
   open,      ///< Space is unbounded.
   flat,      ///< The axis does not exist, and everything lies at 0: z in two dimensions.
 };
+
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<Boundary>{"wall", "periodic", "open", "flat"};
 
 /// By the number of the face: what users call the faces of the box.
 inline constexpr std::array<std::string_view, kFaces> kFaceNames{"x_min", "x_max", "y_min",

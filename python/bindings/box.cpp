@@ -30,13 +30,9 @@ using Faces = Typed<"Mapping[str, Mapping[str, Any]] | None">;
 // A surface does not know of which box it will be.
 constexpr bool kMayBeFlat = true;
 
-// In the order of Boundary.
-constexpr std::array<const char*, 4> kBoundaries{"wall", "periodic", "open", "flat"};
-
 Boundary boundary_of(const py::handle& name) {
-  for (std::size_t i = 0; i < kBoundaries.size(); ++i) {
-    if (name.equal(py::str(kBoundaries[i]))) return static_cast<Boundary>(i);
-  }
+  const auto found = find_named<Boundary>(py::str(name).cast<std::string>());
+  if (found) return *found;
   throw Error("there is no boundary " + py::repr(name).cast<std::string>(), "boundary",
               "choose among 'wall', 'periodic', 'open' and, for z, 'flat'");
 }
@@ -48,10 +44,6 @@ std::array<Boundary, kAxes> boundaries_of(const py::handle& names) {
   }
   const auto each = py::reinterpret_borrow<py::sequence>(names);
   return {boundary_of(each[0]), boundary_of(each[1]), boundary_of(each[2])};
-}
-
-const char* name_of(Boundary boundary) {
-  return kBoundaries[static_cast<std::size_t>(boundary)];
 }
 
 Face face_named(const std::string& name) {
@@ -144,7 +136,7 @@ std::string text_of(const Box& box) {
   std::string boundaries;
   Vec3 size;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    boundaries += std::string(axis > 0 ? ", '" : "'") + name_of(box.boundary(axis)) + "'";
+    boundaries += std::string(axis > 0 ? ", '" : "'") + std::string(name_of(box.boundary(axis))) + "'";
     if (box.is_bounded(axis)) size[axis] = box.size()[axis];
   }
   CallText call = CallText("Box").add("(" + boundaries + ")").add(size);

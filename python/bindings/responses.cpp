@@ -24,9 +24,6 @@ namespace py = pybind11;
 namespace hardball::python {
 namespace {
 
-// In the order of ContactOutcome.
-constexpr std::array<const char*, 3> kOutcomes{"bounce", "pass", "merge"};
-
 RestitutionLaw law_of(const py::handle& object) {
   if (py::isinstance<ViscoelasticRestitution>(object)) return object.cast<ViscoelasticRestitution>();
   if (py::isinstance<TabulatedRestitution>(object)) return object.cast<TabulatedRestitution>();
@@ -196,7 +193,7 @@ void bind_contact(py::module_& module) {
       .def_property_readonly("spins_after", vectors(&Contact::spins_after), doc::Contact_spins_after)
       .def_property_readonly(
           "outcome", [](const Contact& self) -> Typed<"Literal['bounce', 'pass', 'merge']"> {
-            return py::str(kOutcomes[static_cast<std::size_t>(self.outcome)]);
+            return py::str(name_of(self.outcome));
           },
           "'bounce', 'pass' or 'merge'.")
       .def_property_readonly(

@@ -36,15 +36,6 @@ namespace py = pybind11;
 namespace hardball::python {
 namespace {
 
-EngineKind engine_of(const std::string& name) {
-  std::string all;
-  for (std::size_t i = 0; i < kEngineNames.size(); ++i) {
-    if (name == kEngineNames[i]) return static_cast<EngineKind>(i);
-    all += (i == 0 ? "'" : ", '") + std::string(kEngineNames[i]) + "'";
-  }
-  throw Error("unknown engine '" + name + "'", "engine", "choose one of " + all);
-}
-
 OnProgress interruptible() {
   return [](double) {
     const py::gil_scoped_acquire lock;
@@ -97,7 +88,7 @@ std::unique_ptr<PythonSimulation> make_simulation(
       throw Error("there is no potential " + to_text(potential), "bonds", "give a number of add_bond");
     add_bond(world, first, second, static_cast<StepTable::Number>(potential));
   }
-  const EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
+  const EngineOptions options{.engine = value_named<EngineKind>(engine, "engine"), .cell_edge = cell_edge};
   Processes& shared = processes_or_one(processes);
   if (shared.size() > 1) {
     require_same(shared, archived(world, seed, engine, cell_edge), "simulation",
@@ -111,7 +102,7 @@ std::unique_ptr<PythonSimulation> make_simulation(
 
 std::unique_ptr<PythonSimulation> from_scenario(const Function<Scenario()>& read, const std::string& engine,
                                                 std::optional<double> cell_edge, Processes* processes) {
-  const EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
+  const EngineOptions options{.engine = value_named<EngineKind>(engine, "engine"), .cell_edge = cell_edge};
   Processes& shared = processes_or_one(processes);
   Scenario scenario;
   in_all(shared, [&] { scenario = read(); });

@@ -192,7 +192,7 @@ void bind_numbers(SimulationClass& simulation) {
       "compressibility", [](const Simulation& self) { return self.tally().compressibility(self.now()); },
       doc::Tally_compressibility);
   number(
-      "engine", [](const Simulation& self) { return kEngineNames[static_cast<std::size_t>(self.engine())]; },
+      "engine", [](const Simulation& self) { return name_of(self.engine()); },
       "The engine in use: 'cells', 'neighbors', 'all-pairs' or 'paper'.");
   number(
       "cell_edge", [](const Simulation& self) { return self.cell_edge(); }, doc::Simulation_cell_edge);

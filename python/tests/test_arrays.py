@@ -160,7 +160,7 @@ class ArraysGiven(unittest.TestCase):
             ({"positions": good, "response": 1.5}, "restitution.*1.5"),
             ({"positions": good, "response": "soft"}, "give a Bounce, a Merging"),
             ({"positions": good, "thermostat": 5}, "give an Andersen"),
-            ({"positions": good, "engine": "fast"}, "choose one of 'auto'"),
+            ({"positions": good, "engine": "fast"}, "choose one of auto"),
             ({"positions": good, "cell_edge": -1}, "cell edge"),
             ({"positions": good, "cell_edge": "x"}, "cell_edge.*give a number"),
             ({"positions": good, "engine": 5}, "engine.*give a name"),
