@@ -33,8 +33,9 @@ enum class Placement {
   hexagonal,  ///< On a hexagonal lattice that fills a flat region.
   listed,     ///< Where SphereGroup::positions says.
 };
+/// Of those that are chosen by name, which `listed` is not.
 template <>
-inline constexpr std::array<std::string_view, 4> kNames<Placement>{"random", "fcc", "hexagonal", "listed"};
+inline constexpr std::array<std::string_view, 3> kNames<Placement>{"random", "fcc", "hexagonal"};
 
 /// How the velocities of a group's spheres are chosen.
 enum class VelocityRule {

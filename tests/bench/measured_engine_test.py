@@ -78,7 +78,7 @@ class MeasuredEngine(unittest.TestCase):
         self.expect_refusal("--packing-fraction", ["--spheres", "108", "--packing-fraction", "0"])
         self.expect_refusal("--equilibration", [*GAS[:4], "--equilibration", "-1"])
         self.expect_refusal("auto, cells, neighbors, all-pairs, paper", [*GAS, "--engine", "oracle"])
-        self.expect_refusal("fcc, hexagonal, random", [*GAS, "--placement", "anywhere"])
+        self.expect_refusal("random, fcc, hexagonal", [*GAS, "--placement", "anywhere"])
         self.expect_refusal("periodic, wall", [*GAS, "--boundary", "open"])
         self.expect_refusal("cell edge", [*GAS, "--cell-edge", "-1"])
 
