@@ -33,7 +33,7 @@ enum class Placement {
   hexagonal,  ///< On a hexagonal lattice that fills a flat region.
   listed,     ///< Where SphereGroup::positions says.
 };
-/// Of those that are chosen by name, which `listed` is not.
+/// The names of the placements that scenarios choose from; `listed` has none.
 template <>
 inline constexpr std::array<std::string_view, 3> kNames<Placement>{"random", "fcc", "hexagonal"};
 
