@@ -23,7 +23,7 @@ from nbconvert import MarkdownExporter
 ROOT = Path(__file__).resolve().parents[2]
 SITE = ROOT / "docs" / "site"
 NORMALIZE = "/javascript/normalize.css/normalize.css"
-REPOSITORY_LINK = re.compile(r"\]\((?:\.\./)+((?:README|scenarios|notebooks|hardball|examples|tests|bench)\b[^)]*)\)")
+REPOSITORY_LINK = re.compile(r"\]\((?:\.\./)+((?:README|CHANGELOG|ARCHITECTURE|scenarios|notebooks|hardball|examples|tests|bench)\b[^)]*)\)")
 
 
 def write_page(page, target):
