@@ -78,19 +78,21 @@ std::string describe(const FaceProperties& face, const Scenario& scenario) {
   return text + (drags ? "" : ", which does nothing: it is not thermal, and the spheres are smooth");
 }
 
+// The values by which an object is described: ", axis (0, 0, 1), radius 2".
+std::string values_of(const auto& object) {
+  std::string text;
+  for_each_value(object, [&]<class Value>(const auto& field, const Value& value) {
+    if constexpr (std::is_same_v<Value, Vec3>)
+      text += ", " + std::string(field.name) + " " + describe(value);
+    else if (field.is_required || value != 0)
+      text += ", " + std::string(field.name) + " " + readable(static_cast<double>(value));
+  });
+  return text;
+}
+
 std::string describe(const Surface& surface) {
   std::string text = "at " + describe(surface.point());
-  std::visit(
-      [&](const auto& shape) {
-        for_each_value(shape, [&]<class Value>(const auto& field, const Value& value) {
-          text += ", " + std::string(field.name) + " ";
-          if constexpr (std::is_same_v<Value, Vec3>)
-            text += describe(value);
-          else
-            text += readable(value);
-        });
-      },
-      surface.shape());
+  text += std::visit([](const auto& shape) { return values_of(shape); }, surface.shape());
   if (surface.velocity() != Vec3{}) text += ", moving with " + describe(surface.velocity());
   return text + describe(surface.material());
 }
@@ -105,16 +107,8 @@ std::string describe(const GrowthRules& rules) {
 }
 
 std::string describe(const ThermostatKind& kind) {
-  std::string text(hardball::name_of(kind));
-  std::visit(
-      [&](const auto& its) {
-        if constexpr (requires { its.temperature(); }) text += ", kT = " + readable(its.temperature());
-        if constexpr (requires { its.rate(); }) text += ", rate " + readable(its.rate());
-        if constexpr (requires { its.strength(); }) text += ", strength " + readable(its.strength());
-        if constexpr (requires { its.every(); }) text += ", every " + readable(its.every());
-      },
-      kind);
-  return text;
+  return std::string(hardball::name_of(kind)) +
+         std::visit([](const auto& its) { return values_of(its); }, kind);
 }
 
 // The radius of all spheres, or the mean, the least and the largest.

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <variant>
 
 namespace hardball {
 
@@ -46,6 +48,9 @@ struct Field {
   std::string_view dimension = {};  ///< Such as "L/T"; nothing for pure numbers.
   std::string_view meaning = {};    ///< A sentence without its full stop.
   std::string_view example = {};    ///< A value as in TOML.
+  bool is_required = true;          ///< Otherwise the value is zero if it is not given.
+  std::uint64_t least = 0;          ///< Least value of an integer.
+  std::uint64_t most = 0;           ///< Greatest value of an integer.
 };
 template <class Get, class... Rest>
 Field(std::string_view, Get, Rest...) -> Field<Get>;
@@ -66,6 +71,26 @@ constexpr void for_each_value(const Type& object, Visit&& visit) {
 template <class Type, class Read>
 constexpr Type from_fields(Read&& read) {
   return std::apply([&](const auto&... field) { return Type{read(field)...}; }, Type::fields());
+}
+
+/// Calls visit(std::type_identity<Kind>()) for each alternative of a variant.
+template <class Variant, class Visit>
+constexpr void for_each_alternative(Visit&& visit) {
+  [&]<class... Kind>(std::type_identity<std::variant<Kind...>>) {
+    (visit(std::type_identity<Kind>()), ...);
+  }(std::type_identity<Variant>());
+}
+
+/// The alternative of a variant with this kName, made by from_fields; none if there is none. Alternatives
+/// without a kMeaning are not made by name. Error: that of the alternative.
+template <class Variant, class Read>
+std::optional<Variant> from_description(std::string_view name, Read&& read) {
+  std::optional<Variant> made;
+  for_each_alternative<Variant>([&]<class Kind>(std::type_identity<Kind>) {
+    if constexpr (requires { Kind::kMeaning; })
+      if (Kind::kName == name) made = from_fields<Kind>(read);
+  });
+  return made;
 }
 
 }  // namespace hardball

@@ -191,8 +191,8 @@ class HeaderReader {
   Surface surface(const Json& value) const {
     const Json& name = member(value, "shape");
     const Vec3 point = vector(member(value, "point"));
-    std::optional<Shape> shape =
-        shape_of(name.is_string() ? name.get<std::string>() : "", [&]<class Get>(const Field<Get>& field) {
+    std::optional<Shape> shape = from_description<Shape>(
+        name.is_string() ? name.get<std::string>() : "", [&]<class Get>(const Field<Get>& field) {
           if constexpr (std::is_same_v<typename Field<Get>::Value, Vec3>)
             return vector(member(value, "direction"));
           else

@@ -377,41 +377,87 @@ std::string enumerated(const std::vector<std::string>& names, const std::string&
   return text;
 }
 
-// Calls visit(std::type_identity<S>()) for each shape S of walls.
-void for_each_shape_of_walls(const auto& visit) {
-  for_each_shape([&]<class S>(std::type_identity<S> shape) {
-    if constexpr (requires { S::kPoint; }) visit(shape);
-  });
+// The key of a field of what is of this kind.
+template <class Get>
+KeyDescription key_of(const Field<Get>& field, std::string_view kind) {
+  using Value = typename Field<Get>::Value;
+  Values values = number(field.range, field.dimension);
+  if constexpr (std::is_same_v<Value, Vec3>) values = vector();
+  if constexpr (std::is_integral_v<Value>) values = integer(field.least, field.most);
+  KeyDescription description = key(field.name, std::move(values), std::string(field.meaning), field.example);
+  description.is_required = field.is_required;
+  return only_for({kind}, std::move(description));
 }
 
-// The key of a field that a wall must have if it is of this shape.
-template <class Get>
-KeyDescription key_of(const Field<Get>& field, std::string_view shape) {
-  constexpr bool kIsVector = std::is_same_v<typename Field<Get>::Value, Vec3>;
-  return only_for({shape}, required(field.name, kIsVector ? vector() : number(field.range, field.dimension),
-                                    std::string(field.meaning), field.example));
+// The keys of several kinds, each in the order of its kind; those of the same name are one.
+std::vector<KeyDescription> merged(std::vector<std::vector<KeyDescription>> of_kinds) {
+  std::vector<KeyDescription> all;
+  const auto is_first = [](const std::vector<KeyDescription>& keys, std::string_view name) {
+    return keys.front().name == name;
+  };
+  const auto must_wait = [&](std::string_view name) {
+    return std::ranges::any_of(of_kinds, [&](const std::vector<KeyDescription>& keys) {
+      return std::ranges::find(keys, name, &KeyDescription::name) != keys.end() && !is_first(keys, name);
+    });
+  };
+  while (true) {
+    std::erase_if(of_kinds, [](const std::vector<KeyDescription>& keys) { return keys.empty(); });
+    const auto next = std::ranges::find_if(
+        of_kinds, [&](const std::vector<KeyDescription>& keys) { return !must_wait(keys.front().name); });
+    if (next == of_kinds.end()) return all;
+    KeyDescription key = next->front();
+    key.only_for.clear();
+    for (std::vector<KeyDescription>& keys : of_kinds) {
+      if (keys.empty() || !is_first(keys, key.name)) continue;
+      key.only_for.push_back(keys.front().only_for.front());
+      keys.erase(keys.begin());
+    }
+    all.push_back(std::move(key));
+  }
+}
+
+// The keys of the fields of those alternatives of a variant that are made by name, and that are `wanted`.
+template <class Variant>
+std::vector<KeyDescription> keys_of_kinds(const auto&... wanted) {
+  std::vector<std::vector<KeyDescription>> of_kinds;
+  for_each_alternative<Variant>([&]<class Kind>(std::type_identity<Kind> kind) {
+    if constexpr (requires { Kind::kMeaning; }) {
+      if (!(wanted(kind) && ...)) return;
+      std::vector<KeyDescription>& keys = of_kinds.emplace_back();
+      for_each_field<Kind>([&](const auto& field) { keys.push_back(key_of(field, Kind::kName)); });
+    }
+  });
+  return merged(std::move(of_kinds));
+}
+
+// Whether a shape is one of walls.
+constexpr auto kIsWall = []<class S>(std::type_identity<S>) {
+  return requires {
+    S::kPoint;
+  };
+};
+
+// Calls visit(std::type_identity<S>()) for each shape S of walls.
+void for_each_shape_of_walls(const auto& visit) {
+  for_each_alternative<Shape>([&]<class S>(std::type_identity<S> shape) {
+    if constexpr (requires { S::kPoint; }) visit(shape);
+  });
 }
 
 TableDescription walls_keys() {
   Names shapes;
   std::vector<std::string> points;
   std::vector<std::string> around;
-  std::vector<KeyDescription> of_shapes;
   for_each_shape_of_walls([&]<class S>(std::type_identity<S>) {
     shapes.push_back(S::kName);
     points.emplace_back(S::kPoint);
     if (!std::is_same_v<S, Plane>) around.push_back("a " + std::string(S::kName));
-    for_each_field<S>([&](const auto& field) {
-      const auto known = std::ranges::find(of_shapes, field.name, &KeyDescription::name);
-      if (known == of_shapes.end()) return of_shapes.push_back(key_of(field, S::kName));
-      known->only_for.push_back(S::kName);
-    });
   });
   std::vector<KeyDescription> keys{
       required("shape", choice(shapes), "its shape; the spheres are inside " + enumerated(around, " or "),
                "\"plane\""),
       required("point", vector("L"), enumerated(points, ", or "), "[5.0, 5.0, 5.0]")};
-  keys.insert(keys.end(), of_shapes.begin(), of_shapes.end());
+  for (const KeyDescription& key : keys_of_kinds<Shape>(kIsWall)) keys.push_back(key);
   keys.push_back(
       key("velocity", vector("L/T"), "its constant velocity", "[0.0, 0.0, 0.1]", "[0.0, 0.0, 0.0]"));
   for_each_field<OscillatingPlane>([&](const auto& field) {
@@ -491,30 +537,16 @@ TableDescription bonds_keys() {
 }
 
 TableDescription thermostat_keys() {
-  return {
-      .title = "[thermostat]",
-      .keys = {
-          required("kind", choice({"andersen", "rescale", "heating"}),
-                   "`\"andersen\"`: each sphere gets a new velocity from Maxwell's distribution at random "
-                   "times of its own; `\"rescale\"`: all velocities are scaled; `\"heating\"`: all "
-                   "velocities get random kicks",
-                   "\"andersen\""),
-          only_for({"andersen", "rescale"},
-                   required("temperature", number(positive, "M L²/T²"), "the kT of the thermostat", "1.0")),
-          only_for({"andersen"}, required("rate", number(positive, "1/T"),
-                                          "how often a sphere gets a new velocity, on average", "0.5")),
-          only_for({"heating"},
-                   required("strength", number(positive, "L²/T³"),
-                            "how fast the kicks raise the mean square of each component of the velocities",
-                            "0.1")),
-          only_for({"rescale", "heating"}, required("every", number(positive, "T"),
-                                                    "the time between two actions on all spheres", "0.1")),
-          only_for({"rescale"},
-                   key("slabs", integer(1, 10000),
-                       "the number of slabs across y, each of which keeps its mean velocity: velocities are "
-                       "scaled relative to it, whatever the profile of the flow. If not given, they are "
-                       "scaled relative to the mean of all spheres and to the flow of the box",
-                       "10"))}};
+  Names kinds;
+  std::string meaning;
+  for_each_alternative<ThermostatKind>([&]<class Kind>(std::type_identity<Kind>) {
+    kinds.push_back(Kind::kName);
+    meaning += (meaning.empty() ? "`\"" : "; `\"") + std::string(Kind::kName) +
+               "\"`: " + std::string(Kind::kMeaning);
+  });
+  std::vector<KeyDescription> keys{required("kind", choice(kinds), meaning, "\"andersen\"")};
+  for (const KeyDescription& key : keys_of_kinds<ThermostatKind>()) keys.push_back(key);
+  return {.title = "[thermostat]", .keys = keys};
 }
 
 TableDescription growth_keys() {

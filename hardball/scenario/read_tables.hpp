@@ -3,16 +3,29 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "hardball/describe/field.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/scenario/section.hpp"
 
 /// The readers of the tables of a scenario; scenario.cpp reads the smaller ones.
 namespace hardball {
 
+/// The value of a field of what a section describes; zero if it is not required and not given. Directions may
+/// have any length. Error, with the location of the value: it is missing or out of range.
+template <class Get>
+typename Field<Get>::Value read_field(const Section& section, const Field<Get>& field,
+                                      std::size_t dimensions = kAxes);
+
 // --- read_walls.cpp ---
+
+/// The unit vector along that of a value. Error, with the location of the value: its length is zero.
+Vec3 direction_of(const Value& value, std::string_view key, std::size_t dimensions);
 
 /// What the table [box.faces] of [box] describes. Error, with the location of the value: a key contradicts
 /// another or is out of range.
@@ -53,5 +66,19 @@ void read_settling(const Section& root, Scenario& scenario);
 /// unknown, or has two potentials; a potential is refused (see StepPotential); ids are none, or a file of
 /// bonds cannot be read; something in the scenario does not go with potentials of steps.
 void read_potentials(const Section& root, Scenario& scenario);
+
+template <class Get>
+typename Field<Get>::Value read_field(const Section& section, const Field<Get>& field,
+                                      std::size_t dimensions) {
+  using Read = typename Field<Get>::Value;
+  const std::optional<Value> given = field.is_required ? section.need(field.name) : section.find(field.name);
+  if (!given) return {};
+  if constexpr (std::is_same_v<Read, Vec3>)
+    return direction_of(*given, field.name, dimensions);
+  else if constexpr (std::is_integral_v<Read>)
+    return given->integer();
+  else
+    return given->number();
+}
 
 }  // namespace hardball

@@ -14,18 +14,6 @@
 namespace hardball {
 namespace {
 
-// The unit vector along one of any length but zero.
-Vec3 direction_of(const Value& value, std::string_view key, std::size_t dimensions) {
-  const Vec3 direction = value.vector(dimensions);
-  check_positive(std::hypot(direction.x, direction.y, direction.z), "the length of " + std::string(key),
-                 value.location());
-  // Components along an axis stay exact, and no square overflows.
-  const double largest = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
-  const Vec3 scaled{direction.x / largest, direction.y / largest, direction.z / largest};
-  const double norm = length(scaled);
-  return {scaled.x / norm, scaled.y / norm, scaled.z / norm};
-}
-
 SurfaceMaterial read_material(const Section& section) {
   SurfaceMaterial material;
   if (const auto restitution = section.find("restitution")) material.restitution = restitution->number();
@@ -39,17 +27,6 @@ SurfaceMaterial read_material(const Section& section) {
     }
   }
   return material;
-}
-
-// A shape by its name, at rest.
-Shape read_shape(const Section& section, const std::string& name, std::size_t dimensions) {
-  return *shape_of(name, [&]<class Get>(const Field<Get>& field) {
-    const Value value = section.need(field.name);
-    if constexpr (std::is_same_v<typename Field<Get>::Value, Vec3>)
-      return direction_of(value, field.name, dimensions);
-    else
-      return value.number();
-  });
 }
 
 // The plane, or one that oscillates if the section says so.
@@ -79,7 +56,8 @@ SurfaceDescription read_wall(const Section& section, std::size_t dimensions) {
   const Value name = section.need("shape");
   static_cast<void>(name.choice());
   const Vec3 point = section.need("point").vector(dimensions);
-  Shape shape = read_shape(section, name.text(), dimensions);
+  Shape shape = *from_description<Shape>(
+      name.text(), [&](const auto& field) { return read_field(section, field, dimensions); });
   const SurfaceMaterial material = read_material(section);
   Vec3 velocity;
   if (const auto given = section.find("velocity")) velocity = given->vector(dimensions);
@@ -98,6 +76,17 @@ std::vector<Vec3> read_positions(const Section& section, std::size_t dimensions)
 }
 
 }  // namespace
+
+Vec3 direction_of(const Value& value, std::string_view key, std::size_t dimensions) {
+  const Vec3 direction = value.vector(dimensions);
+  check_positive(std::hypot(direction.x, direction.y, direction.z), "the length of " + std::string(key),
+                 value.location());
+  // Components along an axis stay exact, and no square overflows.
+  const double largest = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
+  const Vec3 scaled{direction.x / largest, direction.y / largest, direction.z / largest};
+  const double norm = length(scaled);
+  return {scaled.x / norm, scaled.y / norm, scaled.z / norm};
+}
 
 std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensions) {
   std::vector<FaceDescription> faces;

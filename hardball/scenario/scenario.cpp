@@ -159,22 +159,11 @@ void read_start(const Section& root, Scenario& scenario) {
   for (const Section& group : groups) scenario.spheres.push_back(read_spheres(group, folder, scenario));
 }
 
-std::size_t read_slabs(const Section& section) {
-  const std::optional<Value> slabs = section.find("slabs");
-  return slabs ? slabs->integer() : 0;
-}
-
 ThermostatKind read_thermostat(const Section& section) {
-  const std::size_t kind = section.need("kind").choice();
-  const auto number = [&](const char* key) { return section.need(key).number(); };
-  switch (kind) {
-    case 0:
-      return Andersen(number("temperature"), number("rate"));
-    case 1:
-      return Rescale(number("temperature"), number("every"), read_slabs(section));
-    default:
-      return Heating(number("strength"), number("every"));
-  }
+  const Value kind = section.need("kind");
+  static_cast<void>(kind.choice());
+  return *from_description<ThermostatKind>(kind.text(),
+                                           [&](const auto& field) { return read_field(section, field); });
 }
 
 GrowthRules read_growth(const Section& section) {

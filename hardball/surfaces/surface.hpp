@@ -32,26 +32,6 @@ namespace hardball {
 /// relative to the surface's point.
 using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle, Cone, OwnShape>;
 
-/// Calls visit(std::type_identity<S>()) for each shape S.
-template <class Visit>
-constexpr void for_each_shape(Visit&& visit) {
-  [&]<class... S>(std::type_identity<std::variant<S...>>) {
-    (visit(std::type_identity<S>()), ...);
-  }(std::type_identity<Shape>());
-}
-
-/// The shape of this name that is described by fields: their values are read(field), in their order. None if
-/// there is no such shape. Error: a number out of range; a direction that is not a unit vector.
-template <class Read>
-std::optional<Shape> shape_of(std::string_view name, Read&& read) {
-  std::optional<Shape> shape;
-  for_each_shape([&]<class S>(std::type_identity<S>) {
-    if constexpr (requires { S::kMeaning; })
-      if (S::kName == name) shape = from_fields<S>(read);
-  });
-  return shape;
-}
-
 /// A plane that oscillates along its normal, with this amplitude [L] and frequency [1/T]; the plane itself if
 /// both are zero. Error: it is not a plane.
 HARDBALL_EXPORT Shape oscillating(const Shape& plane, double amplitude, double frequency);

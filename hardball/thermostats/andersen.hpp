@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/thermostats/thermostat_fields.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/world.hpp"
 
@@ -19,6 +21,13 @@ namespace hardball {
 class HARDBALL_EXPORT Andersen {
  public:
   static constexpr std::string_view kName = "andersen";
+  static constexpr std::string_view kMeaning =
+      "each sphere gets a new velocity from Maxwell's distribution at random times of its own";
+  static constexpr auto fields() {
+    return std::tuple{temperature_field(&Andersen::temperature),
+                      Field{"rate", &Andersen::rate, NumberRange::positive, "1/T",
+                            "how often a sphere gets a new velocity, on average", "0.5"}};
+  }
 
   /// `temperature` is k T [M L^2 T^-2]; `rate` that of each sphere's events [1/T]. Error: one is not
   /// positive.

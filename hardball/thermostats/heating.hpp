@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/thermostats/intervals.hpp"
+#include "hardball/thermostats/thermostat_fields.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/world.hpp"
 
@@ -21,6 +23,13 @@ namespace hardball {
 class HARDBALL_EXPORT Heating {
  public:
   static constexpr std::string_view kName = "heating";
+  static constexpr std::string_view kMeaning = "all velocities get random kicks";
+  static constexpr auto fields() {
+    return std::tuple{
+        Field{"strength", &Heating::strength, NumberRange::positive, "L²/T³",
+              "how fast the kicks raise the mean square of each component of the velocities", "0.1"},
+        every_field(&Heating::every)};
+  }
 
   /// `strength` is d<v_x^2> / dt [L^2 T^-3], the same along y and z; `every` [T] the interval, short
   /// compared with the time between collisions for noise that is white to them. Error: one is not positive.

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/thermostats/intervals.hpp"
+#include "hardball/thermostats/thermostat_fields.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/world.hpp"
 
@@ -24,6 +26,22 @@ namespace hardball {
 class HARDBALL_EXPORT Rescale {
  public:
   static constexpr std::string_view kName = "rescale";
+  static constexpr std::string_view kMeaning = "all velocities are scaled";
+  static constexpr auto fields() {
+    return std::tuple{
+        temperature_field(&Rescale::temperature), every_field(&Rescale::every),
+        Field<std::size_t (Rescale::*)() const>{
+            .name = "slabs",
+            .get = &Rescale::slabs,
+            .meaning =
+                "the number of slabs across y, each of which keeps its mean velocity: velocities are scaled "
+                "relative to it, whatever the profile of the flow. If not given, they are scaled relative to "
+                "the mean of all spheres and to the flow of the box",
+            .example = "10",
+            .is_required = false,
+            .least = 1,
+            .most = 10000}};
+  }
 
   /// `temperature` is k T [M L^2 T^-2]; `every` [T] the interval; `slabs` their number, zero for none. Error:
   /// temperature or interval is not positive.

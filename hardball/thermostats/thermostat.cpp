@@ -30,11 +30,17 @@ void Thermostat::begin(const World& world, const Time& now) {
 }
 
 void Thermostat::note_added(SphereId sphere, const Time& now) {
-  if (auto* andersen = std::get_if<Andersen>(&kind_)) andersen->add(sphere, now.value());
+  const auto add = [&](auto& kind) {
+    if constexpr (requires { kind.add(sphere, now.value()); }) kind.add(sphere, now.value());
+  };
+  std::visit(add, kind_);
 }
 
 void Thermostat::note_removed(SphereId sphere) {
-  if (auto* andersen = std::get_if<Andersen>(&kind_)) andersen->remove(sphere);
+  const auto remove = [&](auto& kind) {
+    if constexpr (requires { kind.remove(sphere); }) kind.remove(sphere);
+  };
+  std::visit(remove, kind_);
 }
 
 double Thermostat::next() const {

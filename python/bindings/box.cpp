@@ -249,7 +249,7 @@ void bind_plane(py::class_<Surface>& surface) {
 void bind_surface(py::module_& module) {
   py::class_<Surface> surface(module, "Surface", doc::Surface);
   bind_plane(surface);
-  for_each_shape([&]<class S>(std::type_identity<S>) {
+  for_each_alternative<Shape>([&]<class S>(std::type_identity<S>) {
     if constexpr (requires { S::kMeaning; } && !std::is_same_v<S, Plane>) bind_shape<S>(surface);
   });
   surface.def_property_readonly("name", [](const Surface& self) { return std::string(self.name()); })

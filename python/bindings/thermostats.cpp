@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "python/bindings/thermostats.hpp"
 
+#include <cctype>
+#include <optional>
+#include <string>
+#include <type_traits>
+
 #include "documentation.hpp"
 #include "hardball/errors/error.hpp"
 #include "python/bindings/bindings.hpp"
@@ -11,40 +16,56 @@ namespace py = pybind11;
 
 namespace hardball::python {
 
+namespace {
+
+// The argument for a field; integers that are not given are zero.
+template <class Get>
+auto argument_for(const Field<Get>& field) {
+  const py::arg argument(field.name.data());
+  if constexpr (std::is_integral_v<typename Field<Get>::Value>)
+    return argument = 0;
+  else
+    return argument;
+}
+
+// Binds a kind of thermostat, which is made from its fields.
+template <class Kind>
+void bind_kind(py::module_& module, const char* name, const char* meaning, const char* remark) {
+  py::class_<Kind> kind(module, name, meaning);
+  const auto with_fields = [&]<class... Get>(const Field<Get>&... field) {
+    kind.def(py::init<typename Field<Get>::Value...>(), argument_for(field)..., remark);
+    const auto documented = [](const auto& its) {
+      std::string text = std::string(its.meaning);
+      text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+      return text + (its.dimension.empty() ? "." : " [" + std::string(its.dimension) + "].");
+    };
+    (kind.def_property_readonly(field.name.data(), field.get, documented(field).c_str()), ...);
+  };
+  std::apply(with_fields, Kind::fields());
+  kind.def("__repr__", [name = std::string(name)](const Kind& self) {
+    CallText call(name);
+    for_each_value(self, [&](const auto& field, const auto& value) {
+      if (field.is_required || value != 0) call.add(field.name.data(), static_cast<double>(value));
+    });
+    return call.text();
+  });
+}
+
+}  // namespace
+
 ThermostatKind thermostat_of(const py::handle& object) {
-  if (py::isinstance<Andersen>(object)) return object.cast<Andersen>();
-  if (py::isinstance<Rescale>(object)) return object.cast<Rescale>();
-  if (py::isinstance<Heating>(object)) return object.cast<Heating>();
+  std::optional<ThermostatKind> given;
+  for_each_alternative<ThermostatKind>([&]<class Kind>(std::type_identity<Kind>) {
+    if (py::isinstance<Kind>(object)) given = object.cast<Kind>();
+  });
+  if (given) return *given;
   throw Error("it is not a thermostat", "thermostat", "give an Andersen, a Rescale, a Heating or None");
 }
 
 void bind_thermostats(py::module_& module) {
-  py::class_<Andersen>(module, "Andersen", doc::Andersen)
-      .def(py::init<double, double>(), py::arg("temperature"), py::arg("rate"), doc::Andersen_Andersen)
-      .def_property_readonly("temperature", &Andersen::temperature, "k T [M L^2 T^-2].")
-      .def_property_readonly("rate", &Andersen::rate, "The rate of each sphere's events [1/T].")
-      .def("__repr__", [](const Andersen& self) {
-        return CallText("Andersen").add("temperature", self.temperature()).add("rate", self.rate()).text();
-      });
-  py::class_<Rescale>(module, "Rescale", doc::Rescale)
-      .def(py::init<double, double, std::size_t>(), py::arg("temperature"), py::arg("every"),
-           py::arg("slabs") = 0, doc::Rescale_Rescale)
-      .def_property_readonly("temperature", &Rescale::temperature, "k T [M L^2 T^-2].")
-      .def_property_readonly("every", &Rescale::every, "The interval [T].")
-      .def_property_readonly("slabs", &Rescale::slabs, "The number of slabs across y, zero for none.")
-      .def("__repr__", [](const Rescale& self) {
-        CallText call("Rescale");
-        call.add("temperature", self.temperature()).add("every", self.every());
-        if (self.slabs() > 0) call.add("slabs", static_cast<double>(self.slabs()));
-        return call.text();
-      });
-  py::class_<Heating>(module, "Heating", doc::Heating)
-      .def(py::init<double, double>(), py::arg("strength"), py::arg("every"), doc::Heating_Heating)
-      .def_property_readonly("strength", &Heating::strength, "[L^2 T^-3]")
-      .def_property_readonly("every", &Heating::every, "The interval [T].")
-      .def("__repr__", [](const Heating& self) {
-        return CallText("Heating").add("strength", self.strength()).add("every", self.every()).text();
-      });
+  bind_kind<Andersen>(module, "Andersen", doc::Andersen, doc::Andersen_Andersen);
+  bind_kind<Rescale>(module, "Rescale", doc::Rescale, doc::Rescale_Rescale);
+  bind_kind<Heating>(module, "Heating", doc::Heating, doc::Heating_Heating);
 }
 
 }  // namespace hardball::python

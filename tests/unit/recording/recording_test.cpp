@@ -132,7 +132,8 @@ std::vector<Surface> every_surface() {
 
 // What a recording says of surfaces, without restitutions.
 std::string text_of(const std::vector<Surface>& surfaces) {
-  return nlohmann::json::parse(to_json({.restitution = std::nan(""), .surfaces = surfaces}))["surfaces"].dump();
+  return nlohmann::json::parse(to_json({.restitution = std::nan(""), .surfaces = surfaces}))["surfaces"]
+      .dump();
 }
 
 TEST_F(Recording, ContainsGravityAndSurfaces) {
