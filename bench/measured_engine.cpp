@@ -111,7 +111,10 @@ World make_start(const Options& options) {
   add(others, kRadius * options.radius_ratio);
   const double box_volume = volume / options.packing_fraction;
   const double box_edge = is_flat ? std::sqrt(box_volume) : std::cbrt(box_volume);
-  scenario.box.fill({value_named<Boundary>(options.boundary, "--boundary"), box_edge});
+  const Boundary boundary = value_named<Boundary>(options.boundary, "--boundary");
+  if (boundary != Boundary::wall && boundary != Boundary::periodic)
+    throw Error("the box is unbounded", "--boundary", "choose one of periodic, wall");
+  scenario.box.fill({boundary, box_edge});
   if (is_flat) scenario.box[2] = {Boundary::flat, std::nullopt};
   return make_world(scenario);
 }
@@ -245,7 +248,7 @@ int parse_and_run(int argument_count, char** arguments) {
   app.add_option("--threads", options.threads, "How many threads run them; 0 for as many as pay");
   app.add_option("--cell-edge", options.cell_edge, "Edge of the cells, instead of the best");
   app.add_option("--placement", options.placement, "One of " + all_names<Placement>());
-  app.add_option("--boundary", options.boundary, "One of " + all_names<Boundary>());
+  app.add_option("--boundary", options.boundary, "One of periodic, wall");
   app.add_option("--radius-ratio", options.radius_ratio,
                  "Ratio of the radii of the two halves of the spheres");
   try {

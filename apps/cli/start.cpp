@@ -24,6 +24,14 @@
 namespace hardball::cli {
 namespace {
 
+// None for those that the program chooses.
+std::optional<InstructionSet> read_instructions(const std::string& choice) {
+  const std::optional<InstructionSet> found = find_named<InstructionSet>(choice);
+  if (found || choice == "auto") return found;
+  throw Error("unknown value '" + shortened(choice) + "'", "--instructions",
+              "choose one of auto, " + all_names<InstructionSet>());
+}
+
 // Whether the run will be so long that measuring takes less than a hundredth of it.
 bool is_worth_measuring(const World& start, const Scenario& scenario) {
   constexpr double kLong = 10e9;  // nanoseconds
@@ -86,8 +94,7 @@ EngineOptions read_engine_options(const EngineChoice& choice, const Scenario& sc
   EngineOptions engine_options;
   engine_options.engine = value_named<EngineKind>(choice.engine, "--engine");
   engine_options.threads = read_threads(choice.threads);
-  if (choice.instructions != "auto")
-    engine_options.instructions = value_named<InstructionSet>(choice.instructions, "--instructions");
+  engine_options.instructions = read_instructions(choice.instructions);
   const bool has_cells = engine_options.engine != EngineKind::all_pairs;
   if (choice.unit_costs != "auto") {
     engine_options.unit_costs = shared_unit_costs(choice.unit_costs, processes);
