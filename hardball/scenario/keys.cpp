@@ -404,7 +404,10 @@ std::vector<KeyDescription> merged(std::vector<std::vector<KeyDescription>> of_k
     std::erase_if(of_kinds, [](const std::vector<KeyDescription>& keys) { return keys.empty(); });
     const auto next = std::ranges::find_if(
         of_kinds, [&](const std::vector<KeyDescription>& keys) { return !must_wait(keys.front().name); });
-    if (next == of_kinds.end()) return all;
+    if (next == of_kinds.end()) {
+      HARDBALL_CHECK(of_kinds.empty());  // else two kinds have the same fields in opposite orders
+      return all;
+    }
     KeyDescription key = next->front();
     key.only_for.clear();
     for (std::vector<KeyDescription>& keys : of_kinds) {
@@ -416,26 +419,15 @@ std::vector<KeyDescription> merged(std::vector<std::vector<KeyDescription>> of_k
   }
 }
 
-// The keys of the fields of those alternatives of a variant that are made by name, and that are `wanted`.
-template <class Variant>
-std::vector<KeyDescription> keys_of_kinds(const auto&... wanted) {
+// The keys of the fields of the kinds for which for_each_kind(visit) calls visit(std::type_identity<Kind>()).
+std::vector<KeyDescription> keys_of_kinds(const auto& for_each_kind) {
   std::vector<std::vector<KeyDescription>> of_kinds;
-  for_each_alternative<Variant>([&]<class Kind>(std::type_identity<Kind> kind) {
-    if constexpr (requires { Kind::kMeaning; }) {
-      if (!(wanted(kind) && ...)) return;
-      std::vector<KeyDescription>& keys = of_kinds.emplace_back();
-      for_each_field<Kind>([&](const auto& field) { keys.push_back(key_of(field, Kind::kName)); });
-    }
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    std::vector<KeyDescription>& keys = of_kinds.emplace_back();
+    for_each_field<Kind>([&](const auto& field) { keys.push_back(key_of(field, Kind::kName)); });
   });
   return merged(std::move(of_kinds));
 }
-
-// Whether a shape is one of walls.
-constexpr auto kIsWall = []<class S>(std::type_identity<S>) {
-  return requires {
-    S::kPoint;
-  };
-};
 
 // Calls visit(std::type_identity<S>()) for each shape S of walls.
 void for_each_shape_of_walls(const auto& visit) {
@@ -457,7 +449,8 @@ TableDescription walls_keys() {
       required("shape", choice(shapes), "its shape; the spheres are inside " + enumerated(around, " or "),
                "\"plane\""),
       required("point", vector("L"), enumerated(points, ", or "), "[5.0, 5.0, 5.0]")};
-  for (const KeyDescription& key : keys_of_kinds<Shape>(kIsWall)) keys.push_back(key);
+  for (const KeyDescription& key : keys_of_kinds([](const auto& visit) { for_each_shape_of_walls(visit); }))
+    keys.push_back(key);
   keys.push_back(
       key("velocity", vector("L/T"), "its constant velocity", "[0.0, 0.0, 0.1]", "[0.0, 0.0, 0.0]"));
   for_each_field<OscillatingPlane>([&](const auto& field) {
@@ -545,7 +538,9 @@ TableDescription thermostat_keys() {
                "\"`: " + std::string(Kind::kMeaning);
   });
   std::vector<KeyDescription> keys{required("kind", choice(kinds), meaning, "\"andersen\"")};
-  for (const KeyDescription& key : keys_of_kinds<ThermostatKind>()) keys.push_back(key);
+  for (const KeyDescription& key :
+       keys_of_kinds([](const auto& visit) { for_each_alternative<ThermostatKind>(visit); }))
+    keys.push_back(key);
   return {.title = "[thermostat]", .keys = keys};
 }
 

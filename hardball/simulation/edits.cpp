@@ -55,6 +55,11 @@ void Simulation::set_thermostat(std::optional<Thermostat> thermostat) {
 
 void Simulation::add_actor(std::unique_ptr<Actor> actor) {
   check_editable("add_actor");
+  if (!actor) throw Error("there is no actor", "add_actor", "give one");
+  if (actor->next() < now_) {
+    throw Error(std::string(actor->deed()) + " at " + to_text(actor->next().value()) + ", which is past",
+                "add_actor", "let it act first at " + to_text(time()) + " or later");
+  }
   actors_.own.emplace_back(std::move(actor));
   is_rescheduled_ = true;
 }

@@ -120,7 +120,8 @@ class HARDBALL_EXPORT Simulation {
   const std::optional<Thermostat>& thermostat() const { return actors_.thermostat.thermostat; }
 
   /// Adds an actor of your own, such as another thermostat, which changes velocities at times of its own; see
-  /// Actor. It is not saved: add it again, as it was, after loading. Error: this is called by a listener.
+  /// Actor. It is not saved: add it again, as it was, after loading. Error: the pointer is null; the actor
+  /// would act before now; a response or an observer calls this.
   void add_actor(std::unique_ptr<Actor> actor);
 
   /// Lets all spheres grow from now on, or shrink, until they fill as much as the rules say; replaces a

@@ -72,5 +72,12 @@ TEST(OwnActor, IsForeseenByALookAhead) {
   EXPECT_GT(other.time(), 1);
 }
 
+TEST(OwnActor, CannotActInThePast) {
+  Simulation simulation = reversed(10);
+  EXPECT_THROW(simulation.add_actor(nullptr), Error);
+  simulation.run_until(1.5);
+  EXPECT_THROW(simulation.add_actor(std::make_unique<Reverser>()), Error);
+}
+
 }  // namespace
 }  // namespace hardball::own_actor_test
