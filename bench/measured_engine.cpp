@@ -98,7 +98,7 @@ World make_start(const Options& options) {
                                                      "--placement");
   const std::size_t others = is_mixture ? options.spheres / 2 : 0;
   Scenario scenario;
-  scenario.seed = options.seed;
+  scenario.run.seed = options.seed;
   double volume = 0;
   const auto add = [&](std::size_t count, double radius) {
     if (count == 0) return;

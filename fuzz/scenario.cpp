@@ -16,6 +16,6 @@ void hardball::fuzz::read(std::string_view bytes) {
   }
   if (scenario.start_file) return;
   Simulation simulation{make_world(scenario)};
-  if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
+  if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.run.seed));
   run_a_little(simulation);
 }

@@ -201,7 +201,7 @@ ExitCode check(const CheckOptions& options) {
   const Simulation& simulation = outlook.simulation;
   const GasStatistics& statistics = outlook.statistics;
   const auto spheres = static_cast<double>(statistics.spheres);
-  const double until = *scenario.until;
+  const double until = *scenario.run.until;
   const bool has_lists = simulation.engine() == EngineKind::neighbors;
   const double length = length_of(outlook);
   const double bytes_per_sphere =

@@ -122,8 +122,8 @@ std::string about_scenario(const std::filesystem::path& path) {
   text +=
       line("spheres", scenario.start_file ? "those of " + scenario.start_file->string() : to_text(spheres));
   text += line("box", box);
-  text += line("until", scenario.until ? to_text(*scenario.until) : "as the command line says");
-  return text + line("seed", to_text(scenario.seed));
+  text += line("until", scenario.run.until ? to_text(*scenario.run.until) : "as the command line says");
+  return text + line("seed", to_text(scenario.run.seed));
 }
 
 std::string about_summary(const std::filesystem::path& path) {

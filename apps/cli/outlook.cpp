@@ -42,7 +42,7 @@ bool can_be_sampled(const SphereGroup& group) {
 // Some spheres of each group.
 std::vector<SphereGroup> sample(const Scenario& scenario) {
   const double share = static_cast<double>(kSampled) / static_cast<double>(sphere_count(scenario));
-  Random random(scenario.seed);
+  Random random(scenario.run.seed);
   std::vector<SphereGroup> groups = scenario.spheres;
   for (SphereGroup& group : groups) {
     const double count = std::round(share * static_cast<double>(group.count));
@@ -61,7 +61,7 @@ GasStatistics statistics_of_all(const Scenario& scenario, std::span<const Sphere
   statistics.box = make_box(scenario);
   statistics.spheres = sphere_count(scenario);
   statistics.radius_power = {};
-  Random random(scenario.seed);
+  Random random(scenario.run.seed);
   const std::vector<Vec3> velocities = draw_velocities(sampled, false, random);
   std::size_t next = 0;
   for (std::size_t k = 0; k < sampled.size(); ++k) {

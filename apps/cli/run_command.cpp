@@ -19,7 +19,7 @@ ExitCode run(const RunOptions& options, Processes& processes) {
   Scenario scenario = read_shared_scenario(options.scenario, processes);
   Start start = set_up(options.engine, scenario, options.output.quiet, processes);
   if (processes.is_first()) write_notes(start.notes, options.output.quiet);
-  std::optional<std::filesystem::path> directory = scenario.output_directory;
+  std::optional<std::filesystem::path> directory = scenario.output.directory;
   if (options.out) directory = *options.out;
   // Measures are written to files.
   Measures measures(directory ? scenario.measures : MeasureSettings{.names = {}});

@@ -73,7 +73,7 @@ void refuse_files_of_a_run(const std::filesystem::path& directory) {
 // Error: the checkpoint does not have the position of each trajectory of the run.
 void check_trajectories(const std::filesystem::path& directory, const Scenario& scenario,
                         const FilesState& state) {
-  for (const SnapshotFormat format : scenario.trajectories) {
+  for (const SnapshotFormat format : scenario.output.trajectory) {
     const char* const name = kTrajectories[static_cast<std::size_t>(format)];
     if (std::ranges::count(state.trajectories, name, [](const auto& each) { return each.first; }) == 1)
       continue;
@@ -127,7 +127,7 @@ RecordingWriter begin_recording(const std::filesystem::path& path, const Scenari
                                 const Simulation& simulation) {
   RecordingHeader header = recording_header(simulation);
   header.name = std::filesystem::path(scenario.name).stem().string();
-  header.until = scenario.until;
+  header.until = scenario.run.until;
   for (const SpeciesDescription& species : scenario.species) header.species_names.push_back(species.name);
   return {path, header, simulation.world()};
 }
@@ -173,15 +173,15 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
     using Path = std::filesystem::path;
     for (std::size_t i = 0; i < kTrajectories.size(); ++i) {
       const auto format = static_cast<SnapshotFormat>(i);
-      if (std::ranges::find(scenario.trajectories, format) == scenario.trajectories.end()) {
+      if (std::ranges::find(scenario.output.trajectory, format) == scenario.output.trajectory.end()) {
         Trajectory::remove(directory / kTrajectories[i]);
       } else {
         begin(kTrajectories[i], true,
               [&](const Path& path) { trajectories_.emplace_back(kTrajectories[i], Trajectory(path)); });
       }
     }
-    begin(kEvents, scenario.event_log, [&](const Path& path) { events_.emplace(path); });
-    begin(kRecording, scenario.recording,
+    begin(kEvents, scenario.output.event_log, [&](const Path& path) { events_.emplace(path); });
+    begin(kRecording, scenario.output.recording,
           [&](const Path& path) { recording_.emplace(begin_recording(path, scenario, simulation)); });
     for (const char* name : {kSummary, kReport, kCheckpoint}) std::filesystem::remove(directory / name);
     remove_measures(directory / kMeasures);

@@ -221,8 +221,8 @@ report::Report run_report(const ScenarioChoice& chosen, const Scenario& scenario
   report.changes = changes(chosen);
   report.program = "hardball " HARDBALL_VERSION;
   report.date = date_now();
-  report.until = *scenario.until;
-  report.seed = scenario.seed;
+  report.until = *scenario.run.until;
+  report.seed = scenario.run.seed;
   report.restitution = scenario.restitution();
   for (const ResponseText& text : response_texts(scenario)) report.responses.push_back({text.who, text.what});
   report.species = species(scenario, simulation.world());

@@ -96,7 +96,7 @@ void write_in_parts(StartedRun& run, double time) {
   const Blocks own = simulation.own_blocks();
   const SphereTypes types = types_of_all(run.processes(), own);
   const World empty = simulation.setting().without_spheres();
-  for (std::size_t k = 0; k < run.scenario.trajectories.size(); ++k) {
+  for (std::size_t k = 0; k < run.scenario.output.trajectory.size(); ++k) {
     BlocksInFirst blocks(simulation, own);
     const auto next = [&]() -> std::optional<Snapshot> {
       const std::optional<std::vector<SphereTransfer>> block = blocks.next();
@@ -122,15 +122,15 @@ void write_in_parts(StartedRun& run, double time) {
 
 // Whether this process holds all spheres anyway.
 bool holds_all(const StartedRun& run) {
-  return run.processes().size() == 1 || run.measures.is_any_wanted() || run.scenario.recording ||
+  return run.processes().size() == 1 || run.measures.is_any_wanted() || run.scenario.output.recording ||
          run.simulation.thermostat() || run.simulation.growth();
 }
 
 }  // namespace
 
 void write_snapshot(StartedRun& run, double time) {
-  if (run.scenario.trajectories.empty()) return;
-  if (!holds_all(run) && std::ranges::all_of(run.scenario.trajectories, takes_parts))
+  if (run.scenario.output.trajectory.empty()) return;
+  if (!holds_all(run) && std::ranges::all_of(run.scenario.output.trajectory, takes_parts))
     return write_in_parts(run, time);
   static_cast<void>(run.simulation.world());
   in_first(run.processes(), [&] { run.files->write_snapshot(run.simulation, time); });

@@ -49,7 +49,7 @@ void ShownRun::start_scenario(const ShownRunChoice& choice, std::uint64_t most_b
   RecordingWriter writer = begin_recording(file.path(), scenario, simulation);
   recording_ = std::make_unique<viewer::SharedRecording>(file.path());
   run_ = std::make_unique<viewer::LiveRun>(std::move(simulation), std::move(writer), *recording_,
-                                           *scenario.until, most_bytes, std::move(rest));
+                                           *scenario.run.until, most_bytes, std::move(rest));
 }
 
 }  // namespace hardball::cli

@@ -38,7 +38,7 @@ bool is_worth_measuring(const World& start, const Scenario& scenario) {
   if (start.size() == 0) return false;
   const GasStatistics statistics = gas_statistics(start, Time(0));
   const double rate = cost_rate(expected_counts(statistics, optimal_cell_edge(statistics)), UnitCosts{});
-  return rate * static_cast<double>(start.size()) * *scenario.until > kLong;
+  return rate * static_cast<double>(start.size()) * *scenario.run.until > kLong;
 }
 
 // Those of the first process: each would measure others.
@@ -68,14 +68,14 @@ Scenario changed_by(const ScenarioChoice& choice, Scenario scenario) {
     check_finite(until, "the time", "--until");
     if (until < 0)
       throw Error("the time is " + to_text(until), "--until", "runs start at 0; give a later time");
-    scenario.until = until;
+    scenario.run.until = until;
   }
-  if (!scenario.until) {
+  if (!scenario.run.until) {
     throw Error("key 'until' is missing in [run]", scenario.name,
                 "add it, or give --until on the command line");
   }
   if (choice.seed) {
-    scenario.seed =
+    scenario.run.seed =
         parse_number<std::uint64_t>(*choice.seed, "--seed", "give an integer from 0 to 18446744073709551615");
     fit_box(scenario);
   }

@@ -63,10 +63,10 @@ class Course {
   explicit Course(StartedRun& run)
       : run_(run),
         processes_(run.processes()),
-        progress_(processes_.is_first() && !run.output.quiet, *run.scenario.until),
+        progress_(processes_.is_first() && !run.output.quiet, *run.scenario.run.until),
         seconds_before_(run.seconds.run),
         rest_(run.scenario, run.simulation.totals(), run.simulation.size()) {
-    std::ranges::sort(run_.scenario.checkpoint_at);
+    std::ranges::sort(run_.scenario.output.checkpoint_at);
     observe_files();
   }
 
@@ -90,7 +90,7 @@ class Course {
 
  private:
   bool run_to_end() {
-    const double until = *run_.scenario.until;
+    const double until = *run_.scenario.run.until;
     for (;;) {
       const double now = run_.simulation.time();
       rest_.look(now, [&] { return run_.simulation.totals(); });
@@ -135,7 +135,7 @@ class Course {
 
   // Writes contacts and changes to files. All processes observe the run, or none does.
   void observe_files() {
-    if (!run_.directory || !(run_.scenario.event_log || run_.scenario.recording)) return;
+    if (!run_.directory || !(run_.scenario.output.event_log || run_.scenario.output.recording)) return;
     const Observer observer = run_.files ? run_.files->observer(run_.simulation) : Observer();
     run_.simulation.observe({.contact =
                                  [this, observer](const Contact& contact) {
@@ -168,21 +168,21 @@ class Course {
   // When the next snapshot is due [T]; infinity if that depends on contacts, or none is.
   double next_snapshot_time() const {
     if (!run_.directory) return SnapshotSchedule::kNoTime;
-    return run_.scenario.snapshots.time(run_.next_snapshot, *run_.scenario.until);
+    return run_.scenario.output.snapshots().time(run_.next_snapshot, *run_.scenario.run.until);
   }
   // At how many contacts it is due.
   std::uint64_t next_snapshot_contacts() const {
     if (!run_.directory) return SnapshotSchedule::kNoContacts;
-    return run_.scenario.snapshots.contacts(run_.next_snapshot);
+    return run_.scenario.output.snapshots().contacts(run_.next_snapshot);
   }
 
   bool is_checkpoint_due() const {
-    return run_.directory && seconds_since(last_checkpoint_) >= run_.scenario.checkpoint_every;
+    return run_.directory && seconds_since(last_checkpoint_) >= run_.scenario.output.checkpoint_every;
   }
 
   // The first time after the present one at which a checkpoint is to be kept; infinity if there is none.
   double next_kept_checkpoint() const {
-    const std::vector<double>& times = run_.scenario.checkpoint_at;
+    const std::vector<double>& times = run_.scenario.output.checkpoint_at;
     const auto next = std::ranges::upper_bound(times, kept_);
     return run_.directory && next != times.end() ? *next : std::numeric_limits<double>::infinity();
   }
@@ -238,7 +238,7 @@ void tell_of_whole_run(const std::filesystem::path& directory, double time, cons
 
 void open_files(StartedRun& run, bool overwrites) {
   if (!run.directory) return;
-  if (run.scenario.recording) static_cast<void>(run.simulation.world());
+  if (run.scenario.output.recording) static_cast<void>(run.simulation.world());
   // In the first process, which now knows all spheres that it writes.
   in_first(run.processes(),
            [&] { run.files.emplace(*run.directory, run.scenario, run.simulation, overwrites); });
@@ -254,10 +254,10 @@ ExitCode carry_out(StartedRun& run) {
   const std::string json = summary.json();
   std::vector<Measurement> measurements;
   std::string html;
-  if (run.directory && (run.measures.is_any_wanted() || run.scenario.report)) {
+  if (run.directory && (run.measures.is_any_wanted() || run.scenario.output.report)) {
     run.measures.sample_the_rest(simulation.world(), simulation.now());
     measurements = run.measures.results(simulation.world(), simulation.now());
-    if (run.scenario.report)
+    if (run.scenario.output.report)
       html = to_html(run_report(run.choice, run.scenario, simulation, summary, measurements, is_complete));
   }
   in_first(run.processes(), [&] {
@@ -265,7 +265,7 @@ ExitCode carry_out(StartedRun& run) {
     write_output(run.output.json ? json : summary.table());
     if (is_complete) return;
     write_message("interrupted at time " + to_text(simulation.time()) + " of " +
-                  to_text(*run.scenario.until) +
+                  to_text(*run.scenario.run.until) +
                   (run.directory ? "; 'hardball resume " + run.directory->string() + "' resumes it" : ""));
   });
   return is_complete ? ExitCode::done : ExitCode::failed;
@@ -303,7 +303,7 @@ std::optional<StartedRun> resumed_run(const ResumeOptions& options, Processes& p
   }
   state.seconds.setup += seconds_since(begin);
   const double time = simulation->time();
-  if (is_whole(directory, time, *scenario.until)) {
+  if (is_whole(directory, time, *scenario.run.until)) {
     if (processes.is_first()) tell_of_whole_run(directory, time, options.output);
     return std::nullopt;
   }

@@ -152,7 +152,7 @@ std::string Summary::json() const {
   json["bytes_per_sphere"] = number_or_null(state.bytes_per_sphere);
   json["peak_rss_bytes"] = state.peak_rss_bytes;
   if (!notes.empty()) json["notes"] = notes;
-  json["seed"] = scenario.seed;
+  json["seed"] = scenario.run.seed;
   json["version"] = version();
   json["commit"] = commit();
   json["scenario"] = {{"file", scenario.name}, {"set", overrides}, {"text", scenario.text}};

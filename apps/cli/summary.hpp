@@ -76,7 +76,7 @@ struct Summary {
   std::string table() const;
 
  private:
-  double end_time() const { return state.at_rest_since ? *scenario.until : state.now.value(); }
+  double end_time() const { return state.at_rest_since ? *scenario.run.until : state.now.value(); }
   double collisions_per_second() const { return static_cast<double>(state.counters.collision) / seconds.run; }
 };
 

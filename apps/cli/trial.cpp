@@ -50,7 +50,7 @@ Trial try_out(const Scenario& scenario, const Outlook& outlook) {
   Measures measures(scenario.measures);
   RestWatch rest(scenario, simulation.totals(), simulation.size());
   const Clock::time_point begin = Clock::now();
-  const double until = *scenario.until;
+  const double until = *scenario.run.until;
   Trial trial;
   Trial half;
   const auto note = [&] {
@@ -84,12 +84,12 @@ Trial try_out(const Scenario& scenario, const Outlook& outlook) {
 }
 
 double expected_seconds(const Scenario& scenario, const Outlook& outlook, const Trial& trial) {
-  const double left = *scenario.until - trial.time;
+  const double left = *scenario.run.until - trial.time;
   if (trial.is_whole || !trial.failure.empty() || !(trial.late_contacts > 0)) return trial.seconds;
   const double seconds_of_contact = trial.late_seconds / trial.late_contacts;
   const auto spheres = static_cast<double>(outlook.statistics.spheres);
   if (scenario.settles) {
-    const double expected = contacts_of_heap(scenario, outlook.statistics, *scenario.until);
+    const double expected = contacts_of_heap(scenario, outlook.statistics, *scenario.run.until);
     const double more = std::max(expected - static_cast<double>(trial.contacts), 0.0);
     return trial.seconds + more * seconds_of_contact;
   }

@@ -203,7 +203,7 @@ Simulation start(const Scenario& scenario, const EngineOptions& options, bool is
 void settle(Simulation& simulation, const Scenario& scenario, Budget& budget) {
   constexpr double kShare = 0.25;
   const std::uint64_t enough = simulation.size();
-  simulation.run({.until = Time(*scenario.until), .stop = [&] {
+  simulation.run({.until = Time(*scenario.run.until), .stop = [&] {
                     budget.show("settling");
                     return simulation.tally().collisions() >= enough || budget.spent() >= kShare;
                   }});

@@ -50,7 +50,7 @@ VerifiedRun run_with(const Scenario& scenario, const World& start, const EngineO
   VerifiedRun outcome;
   outcome.cell_edge = simulation.cell_edge();
   simulation.observe({.change = [&](const VelocityChange&) { ++outcome.changes; }});
-  simulation.run_until(*scenario.until);
+  simulation.run_until(*scenario.run.until);
   outcome.hash = simulation.event_log_hash();
   simulation.world().for_each_by_id(
       [&](Slot slot) { outcome.paths.push_back(simulation.world().path(slot)); });
@@ -193,7 +193,7 @@ ExitCode verify(const VerifyOptions& options) {
   }
 
   constexpr double kMaxPairs = 5e8;
-  const double pairs = all_pairs_work(comparison, *scenario.until);
+  const double pairs = all_pairs_work(comparison, *scenario.run.until);
   engine_options.engine = EngineKind::all_pairs;
   if (pairs <= kMaxPairs) {
     comparison.run("all-pairs", engine_options);

@@ -86,7 +86,7 @@ std::optional<std::string> why_nothing_touches(const Scenario& scenario, const G
 
 std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatistics& statistics) {
   std::vector<std::string> warnings;
-  const double until = *scenario.until;
+  const double until = *scenario.run.until;
   if (const auto reason = why_nothing_touches(scenario, statistics)) {
     warnings.push_back(*reason + ": there will be no contact");
   } else if (statistics.mean_speed > 0 && !are_kept_moving(scenario) && scenario.gravity == Vec3{}) {

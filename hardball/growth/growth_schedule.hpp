@@ -7,7 +7,9 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <tuple>
 
+#include "hardball/describe/field.hpp"
 #include "hardball/describe/names.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/geometry/growth.hpp"
@@ -30,6 +32,20 @@ struct GrowthRules {
   /// so small that times do not resolve them.
   double until_compressibility = std::numeric_limits<double>::infinity();
 
+  static constexpr auto fields() {
+    return std::tuple{
+        option("rate", &GrowthRules::rate,
+               "the rate at which the mean diameter grows, over the thermal speed √(kT/m); negative if the "
+               "spheres shrink",
+               "0.01", "0.01"),
+        option(
+            "packing_fraction", &GrowthRules::until_packing_fraction, NumberRange::positive, "",
+            "the fraction of the volume at which growth ends; spheres that shrink need it; if not given, "
+            "growth ends where the largest sphere just fits the box and its walls, or by `compressibility`",
+            "0.6"),
+        option("compressibility", &GrowthRules::until_compressibility, NumberRange::positive, "",
+               "PV/NkT, averaged over some collisions, beyond which growth ends", "1e4")};
+  }
   friend bool operator==(const GrowthRules&, const GrowthRules&) = default;
   static void persist(auto& archive, auto& self) {
     archive(self.rate, self.until_packing_fraction, self.until_compressibility);

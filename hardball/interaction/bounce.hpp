@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 
+#include "hardball/describe/field.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/interaction/restitution.hpp"
@@ -32,6 +34,25 @@ struct BounceRules {
   /// The tangential velocity of the surfaces after a contact over that before, reversed [1]: from -1, smooth,
   /// over 0, sticking, to 1, perfectly rough; if absent, the bodies are smooth.
   std::optional<double> tangential_restitution = {};
+
+  /// The rules that are numbers; the restitution may be a law.
+  static constexpr auto fields() {
+    return std::tuple{
+        option(
+            "elastic_below", &BounceRules::elastic_below, NumberRange::not_negative, "L/T",
+            "impacts slower than this are elastic; under gravity a sphere pressed against a surface leaves "
+            "it with at least a tenth of this speed",
+            "0.01"),
+        option("contact_duration", &BounceRules::contact_duration, NumberRange::not_negative, "T",
+               "a contact is elastic if the motion of one of the spheres changed within this time before it: "
+               "the TC model, which prevents inelastic collapse",
+               "1e-5"),
+        option("tangential_restitution", &BounceRules::tangential_restitution, NumberRange::signed_fraction,
+               "",
+               "for rough spheres, whose spins change at contacts: minus the ratio of the tangential "
+               "velocities of the surfaces after and before a contact; 1 is perfectly rough, -1 smooth",
+               "0.5")};
+  }
   static void persist(auto& archive, auto& self) {
     archive(self.restitution, self.elastic_below, self.contact_duration, self.tangential_restitution,
             self.settle_under);

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <vector>
 
+#include "hardball/describe/field.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/species.hpp"
 
@@ -19,6 +21,13 @@ struct Step {
   double ratio = 1;   ///< The distance of the centers where the step is, over the sum of the radii [1].
   double energy = 0;  ///< [M L^2 T^-2]
 
+  static constexpr auto fields() {
+    return std::tuple{
+        Field{"ratio", &Step::ratio, NumberRange::positive, "",
+              "the distance of the centers at which the step is, over the sum of the radii", "1.5"},
+        Field{"energy", &Step::energy, NumberRange::finite, "M L²/T²",
+              "the energy of two spheres between this step and the next one inward, or the core", "-1.0"}};
+  }
   friend bool operator==(const Step&, const Step&) = default;
   static void persist(auto& archive, auto& self) { archive(self.ratio, self.energy); }
 };

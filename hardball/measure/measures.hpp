@@ -8,8 +8,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
+#include "hardball/describe/field.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/memory/for_each.hpp"
@@ -41,6 +43,14 @@ struct MeasureSettings {
   /// Whether the energy of the start is drawn at random: that of random places in potentials of steps or
   /// under gravity, or of random spins. Errors then say how far runs with other random numbers are.
   bool is_energy_random = false;
+
+  /// The times; names are chosen from a list.
+  static constexpr auto fields() {
+    return std::tuple{option("every", &MeasureSettings::every, NumberRange::positive, "T",
+                             "the time between samples; if not given, each measure has its own", "0.5"),
+                      option("from", &MeasureSettings::from, NumberRange::not_negative, "T",
+                             "when measuring starts", "2.0", "0.0")};
+  }
   static void persist(auto& archive, auto& self) {
     archive(self.names, self.every, self.from, self.is_start_placed, self.is_energy_random);
   }

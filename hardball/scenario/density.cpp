@@ -86,7 +86,7 @@ std::size_t count_for(double packing_fraction, const SphereGroup& group,
 void fit_box(Scenario& scenario) {
   if (!scenario.packing_fraction) return;
   check_draws(scenario);
-  Random random(scenario.seed);
+  Random random(scenario.run.seed);
   double spheres = 0;
   for (const SphereGroup& group : groups_with_radii(scenario, random)) {
     if (group.radii.empty()) {

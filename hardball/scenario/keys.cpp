@@ -112,6 +112,38 @@ KeyDescription only_for(Names choices, KeyDescription key) {
   return key;
 }
 
+// The key of a field.
+template <class Get>
+KeyDescription key_of(const Field<Get>& field) {
+  using Value = GivenValue<typename Field<Get>::Value>;
+  Values values = number(field.range, field.dimension);
+  if constexpr (std::is_same_v<Value, Vec3>) {
+    values = vector();
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    values = truth();
+  } else if constexpr (std::is_integral_v<Value>) {
+    values = integer(field.least, field.most);
+  } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+    values = numbers(field.range, field.dimension);
+  } else if constexpr (ListOfChoices<Value>) {
+    values = some({field.choices.begin(), field.choices.end()});
+  } else if constexpr (!std::is_floating_point_v<Value>) {
+    values = text();
+  }
+  KeyDescription description =
+      key(field.name, std::move(values), std::string(field.meaning), field.example, field.default_value);
+  description.is_required = field.is_required;
+  return description;
+}
+
+// The keys of the fields of a type.
+template <class Type>
+std::vector<KeyDescription> keys_of() {
+  std::vector<KeyDescription> keys;
+  for_each_field<Type>([&](const auto& field) { keys.push_back(key_of(field)); });
+  return keys;
+}
+
 // How a fixed surface reflects spheres.
 std::vector<KeyDescription> surface_keys() {
   return {
@@ -304,22 +336,14 @@ TableDescription restitution_keys() {
 
 // How bodies bounce off each other.
 std::vector<KeyDescription> bounce_keys() {
-  return {key("restitution", number(fraction).or_table(restitution_keys()),
-              "the ratio of normal speeds after and before a contact, 1 being elastic, or how it depends on "
-              "the impact speed",
-              "0.9"),
-          key("elastic_below", number(not_negative, "L/T"),
-              "impacts slower than this are elastic; under gravity a sphere pressed against a surface leaves "
-              "it with at least a tenth of this speed",
-              "0.01"),
-          key("contact_duration", number(not_negative, "T"),
-              "a contact is elastic if the motion of one of the spheres changed within this time before it: "
-              "the TC model, which prevents inelastic collapse",
-              "1e-5"),
-          key("tangential_restitution", number(signed_fraction),
-              "for rough spheres, whose spins change at contacts: minus the ratio of the tangential "
-              "velocities of the surfaces after and before a contact; 1 is perfectly rough, -1 smooth",
-              "0.5")};
+  std::vector<KeyDescription> keys = keys_of<BounceRules>();
+  keys.insert(
+      keys.begin(),
+      key("restitution", number(fraction).or_table(restitution_keys()),
+          "the ratio of normal speeds after and before a contact, 1 being elastic, or how it depends on "
+          "the impact speed",
+          "0.9"));
+  return keys;
 }
 
 TableDescription pairs_keys() {
@@ -360,14 +384,7 @@ TableDescription response_keys() {
 }
 
 TableDescription species_keys() {
-  return {
-      .title = "[[species]]",
-      .keys = {required("name", text(),
-                        "its name, by which `[[spheres]]` and `[[response.pairs]]` refer to it", "\"steel\""),
-               key("moment", number(positive),
-                   "the moment of inertia of its spheres over mass and squared radius: 2/5 for uniform "
-                   "spheres and 1/2 for uniform discs, if not given; 2/3 for shells",
-                   "0.4")}};
+  return {.title = "[[species]]", .keys = keys_of<SpeciesDescription>()};
 }
 
 // Names with commas, and `last` before the last.
@@ -375,18 +392,6 @@ std::string enumerated(const std::vector<std::string>& names, const std::string&
   std::string text = names.front();
   for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 < names.size() ? ", " : last) + names[i];
   return text;
-}
-
-// The key of a field of what is of this kind.
-template <class Get>
-KeyDescription key_of(const Field<Get>& field, std::string_view kind) {
-  using Value = typename Field<Get>::Value;
-  Values values = number(field.range, field.dimension);
-  if constexpr (std::is_same_v<Value, Vec3>) values = vector();
-  if constexpr (std::is_integral_v<Value>) values = integer(field.least, field.most);
-  KeyDescription description = key(field.name, std::move(values), std::string(field.meaning), field.example);
-  description.is_required = field.is_required;
-  return only_for({kind}, std::move(description));
 }
 
 // The keys of several kinds, each in the order of its kind; those of the same name are one.
@@ -424,7 +429,7 @@ std::vector<KeyDescription> keys_of_kinds(const auto& for_each_kind) {
   std::vector<std::vector<KeyDescription>> of_kinds;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     std::vector<KeyDescription>& keys = of_kinds.emplace_back();
-    for_each_field<Kind>([&](const auto& field) { keys.push_back(key_of(field, Kind::kName)); });
+    for_each_field<Kind>([&](const auto& field) { keys.push_back(only_for({Kind::kName}, key_of(field))); });
   });
   return merged(std::move(of_kinds));
 }
@@ -454,7 +459,7 @@ TableDescription walls_keys() {
   keys.push_back(
       key("velocity", vector("L/T"), "its constant velocity", "[0.0, 0.0, 0.1]", "[0.0, 0.0, 0.0]"));
   for_each_field<OscillatingPlane>([&](const auto& field) {
-    KeyDescription key = key_of(field, Plane::kName);
+    KeyDescription key = only_for({Plane::kName}, key_of(field));
     key.is_required = false;
     const bool is_of_rest = std::ranges::find(keys, key.name, &KeyDescription::name) != keys.end();
     if (!is_of_rest) keys.push_back(std::move(key));
@@ -481,14 +486,7 @@ TableDescription obstacles_keys() {
 }
 
 KeyDescription steps_key(std::string_view meaning) {
-  const TableDescription step{
-      .title = "steps",
-      .keys = {required("ratio", number(positive),
-                        "the distance of the centers at which the step is, over the sum of the radii", "1.5"),
-               required("energy", number(finite, "M L²/T²"),
-                        "the energy of two spheres between this step and the next one inward, or the core",
-                        "-1.0")}};
-  return key("steps", tables(step), std::string(meaning));
+  return key("steps", tables({.title = "steps", .keys = keys_of<Step>()}), std::string(meaning));
 }
 
 KeyDescription core_key() {
@@ -544,78 +542,15 @@ TableDescription thermostat_keys() {
   return {.title = "[thermostat]", .keys = keys};
 }
 
-TableDescription growth_keys() {
-  return {
-      .title = "[growth]",
-      .keys = {
-          key("rate", number(finite),
-              "the rate at which the mean diameter grows, over the thermal speed √(kT/m); negative if the "
-              "spheres shrink",
-              "0.01", "0.01"),
-          key("packing_fraction", number(positive),
-              "the fraction of the volume at which growth ends; spheres that shrink need it; if not given, "
-              "growth ends where the largest sphere just fits the box and its walls, or by `compressibility`",
-              "0.6"),
-          key("compressibility", number(positive),
-              "PV/NkT, averaged over some collisions, beyond which growth ends", "1e4")}};
-}
-
-TableDescription run_keys() {
-  return {.title = "[run]",
-          .keys = {key("until", number(not_negative, "T"), "when the run ends; `--until` takes precedence",
-                       "10.0"),
-                   key("seed", integer(0, std::numeric_limits<std::int64_t>::max()),
-                       "the seed of the random numbers for radii, placement, velocities and the thermostat; "
-                       "`--seed` takes precedence",
-                       "1", "1")}};
-}
-
-TableDescription output_keys() {
-  return {
-      .title = "[output]",
-      .keys = {
-          key("directory", text(),
-              "the directory of the files; `--out` takes precedence; without either, no files are written",
-              "\"out\""),
-          key("snapshots_every", number(positive, "T"),
-              "interval of the snapshots in the trajectory; none are taken unless this, "
-              "`snapshots_per_decade` or `snapshots_every_contacts` is given",
-              "0.5"),
-          key("snapshots_per_decade", integer(1, 1000),
-              "or: how many snapshots are taken while the time grows tenfold, evenly in its logarithm, from "
-              "`first_snapshot` on",
-              "10"),
-          key("first_snapshot", number(positive, "T"),
-              "goes with `snapshots_per_decade`: the time of the first snapshot after that of the start",
-              "0.001"),
-          key("snapshots_every_contacts", integer(1, std::numeric_limits<std::int64_t>::max()),
-              "or: how many collisions and wall contacts lie between two snapshots", "10000"),
-          key("trajectory", some({"xyz", "xyz.zst", "gsd", "lammps", "vtp"}),
-              "the format of the trajectory: `trajectory.xyz`, `trajectory.xyz.zst`, `trajectory.gsd`, "
-              "`trajectory.lammpstrj` or `trajectory.pvd`",
-              "\"gsd\"", "\"xyz\""),
-          key("event_log", truth(), "whether to write `events.npy`", "true", "false"),
-          key("recording", truth(), "whether to write `recording.hbr`, for the [viewer](viewer.md)", "true",
-              "false"),
-          key("checkpoint_every", number(positive),
-              "seconds of wall time between checkpoints, from which `hardball resume` resumes", "600",
-              "60.0"),
-          key("checkpoint_at", numbers(finite, "T"),
-              "times at which a checkpoint is also written; each is kept as `checkpoints/T.hbc`",
-              "[10.0, 100.0]"),
-          key("report", truth(), "whether to write `report.html`", "false", "true")}};
-}
-
 TableDescription measures_keys() {
-  std::vector<std::string_view> known{"all"};
+  Names known{"all"};
   known.insert(known.end(), measure_names().begin(), measure_names().end());
-  return {.title = "[measures]",
-          .keys = {key("names", choices(known),
-                       "the measures to take, see [measures.md](measures.md); `[]` for none",
-                       R"(["pressure", "collision_rate"])", R"(["all"])"),
-                   key("every", number(positive, "T"),
-                       "the time between samples; if not given, each measure has its own", "0.5"),
-                   key("from", number(not_negative, "T"), "when measuring starts", "2.0", "0.0")}};
+  TableDescription table{.title = "[measures]", .keys = keys_of<MeasureSettings>()};
+  table.keys.insert(
+      table.keys.begin(),
+      key("names", choices(known), "the measures to take, see [measures.md](measures.md); `[]` for none",
+          R"(["pressure", "collision_rate"])", R"(["all"])"));
+  return table;
 }
 
 TableDescription all_keys() {
@@ -633,9 +568,11 @@ TableDescription all_keys() {
                        "spheres that are tied together: tethers and chains; see steps.md"),
                    key("thermostat", table(thermostat_keys()),
                        "a thermostat, which exchanges energy with the spheres between contacts"),
-                   key("growth", table(growth_keys()), "how all spheres grow, or shrink"),
-                   key("run", table(run_keys()), "the run"),
-                   key("output", table(output_keys()), "which files are written, and where"),
+                   key("growth", table({.title = "[growth]", .keys = keys_of<GrowthRules>()}),
+                       "how all spheres grow, or shrink"),
+                   key("run", table({.title = "[run]", .keys = keys_of<RunDescription>()}), "the run"),
+                   key("output", table({.title = "[output]", .keys = keys_of<OutputDescription>()}),
+                       "which files are written, and where"),
                    key("measures", table(measures_keys()), "the measures to take, and when")},
           .one_of = {{"spheres", "start"}}};
 }

@@ -14,7 +14,7 @@ Simulation make_simulation(const Scenario& scenario, World start, const EngineOp
     Simulation simulation = processes.size() > 1
                                 ? Simulation::from_parts(std::move(start), options, processes)
                                 : Simulation(std::move(start), options, on_progress);
-    if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
+    if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.run.seed));
     if (scenario.growth) simulation.grow(*scenario.growth);
     return simulation;
   } catch (const Error& error) {

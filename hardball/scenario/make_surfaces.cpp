@@ -13,7 +13,7 @@ std::vector<Surface> make_surfaces(const Scenario& scenario, const Box& box) {
   std::vector<Surface> surfaces;
   for (const auto& [described, where] : scenario.surfaces) {
     SurfaceMaterial material = described.material();
-    material.seed = scenario.seed;
+    material.seed = scenario.run.seed;
     const Surface surface(described.shape(), described.point(), described.velocity(), material);
     try {
       static_cast<void>(World(box, {}, {surface}));

@@ -235,7 +235,7 @@ Vec3 in_flow(const Box& box, const Vec3& position, Vec3 velocity) {
 }
 
 void add_groups(const Scenario& scenario, World& world, const Progress& progress, const OnNote& on_note) {
-  Random random(scenario.seed);
+  Random random(scenario.run.seed);
   const std::vector<SphereGroup> groups = groups_with_radii(scenario, random);
   const std::vector<Vec3> positions =
       place(scenario, groups, world, random, progress.part(0, kPlaced), on_note);
@@ -307,7 +307,7 @@ std::vector<Sphere> make_wanted(const Scenario& scenario, const World& empty,
                       .species = group.species,
                       .inertia_factor = moment_of(scenario, group)});
   });
-  Random random(scenario.seed);
+  Random random(scenario.run.seed);
   const DrawnVelocities velocities(groups, empty.box().is_all(Boundary::periodic), random,
                                    DrawnVelocities::Memory::none);
   id = 0;
@@ -348,7 +348,7 @@ void complete_velocities(const Scenario& scenario, const Box& box, const std::st
     if (std::isfinite(sphere.mass)) group.masses.push_back(sphere.mass);
   }
   group.count = group.masses.size();
-  Random random(scenario.seed);
+  Random random(scenario.run.seed);
   const std::vector<Vec3> velocities =
       draw_velocities(std::span(&group, 1), box.is_all(Boundary::periodic), random);
   auto next = velocities.begin();
@@ -491,7 +491,7 @@ Box make_box(const Scenario& scenario) {
   at_shear(scenario, [&] { box.set_shear(scenario.shear); });
   for (const FaceDescription& face : scenario.faces) {
     FaceProperties properties = face.properties;
-    properties.material.seed = scenario.seed;
+    properties.material.seed = scenario.run.seed;
     try {
       box.set_face(face.face, properties);
     } catch (const Error& error) {

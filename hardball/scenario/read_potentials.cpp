@@ -16,17 +16,12 @@ using IdPair = std::pair<SphereId, SphereId>;
 
 void read_steps(const Section& section, StepRules& rules) {
   if (const auto core = section.find("core")) rules.core = core->number();
-  for (const Section& step : section.sections("steps"))
-    rules.steps.push_back({step.need("ratio").number(), step.need("energy").number()});
+  for (const Section& step : section.sections("steps")) step.read_fields(rules.steps.emplace_back());
 }
 
 // Error, with the place of the table: what StepPotential refuses.
 void check(const StepRules& rules, const Section& section) {
-  try {
-    static_cast<void>(StepPotential(rules));
-  } catch (const Error& error) {
-    throw Error(error.problem(), section.location(), error.remedy());
-  }
+  made_at(section.location(), [&] { return StepPotential(rules); });
 }
 
 PotentialDescription read_potential(const Section& section, const Scenario& scenario) {

@@ -16,22 +16,12 @@ namespace {
 
 constexpr std::string_view kWall = "wall";
 
-// Gives errors of the library the place of a value.
-template <class Make>
-RestitutionLaw made_at(const std::string& location, Make&& make) {
-  try {
-    return make();
-  } catch (const Error& error) {
-    throw Error(error.problem(), location, error.remedy());
-  }
-}
-
 RestitutionLaw read_law(const Section& section) {
   constexpr std::size_t kViscoelastic = 0;
   if (section.need("law").choice() == kViscoelastic) {
     const double value = section.need("value").number();
     const double speed = section.need("speed").number();
-    return made_at(section.location(), [&] { return ViscoelasticRestitution(value, speed); });
+    return made_at(section.location(), [&] { return RestitutionLaw(ViscoelasticRestitution(value, speed)); });
   }
   const std::vector<double> speeds = section.need("speeds").numbers();
   const std::vector<double> values = section.need("values").numbers();
@@ -40,7 +30,7 @@ RestitutionLaw read_law(const Section& section) {
   }
   std::vector<TabulatedRestitution::Point> points;
   for (std::size_t i = 0; i < speeds.size(); ++i) points.push_back({speeds[i], values[i]});
-  return made_at(section.location(), [&] { return TabulatedRestitution(points); });
+  return made_at(section.location(), [&] { return RestitutionLaw(TabulatedRestitution(points)); });
 }
 
 // Reads the section; what it leaves open does not change.
@@ -52,11 +42,7 @@ void read_bounce(const Section& section, BounceRules& bounce) {
       bounce.restitution = ConstantRestitution{restitution->number()};
     }
   }
-  if (const auto speed = section.find("elastic_below")) bounce.elastic_below = speed->number();
-  if (const auto time = section.find("contact_duration")) bounce.contact_duration = time->number();
-  if (const auto rough = section.find("tangential_restitution")) {
-    bounce.tangential_restitution = rough->number();
-  }
+  section.read_fields(bounce);
 }
 
 PairDescription read_pair(const Section& section, const Scenario& scenario) {
@@ -92,8 +78,9 @@ PairDescription read_pair(const Section& section, const Scenario& scenario) {
 std::vector<SpeciesDescription> read_species(const Section& root) {
   std::vector<SpeciesDescription> all;
   for (const Section& section : root.sections("species")) {
+    SpeciesDescription species;
+    section.read_fields(species);
     const Value name = section.need("name");
-    SpeciesDescription species{name.text(), std::nullopt};
     if (species.name == kWall) {
       throw Error("a species is named \"wall\"", name.location(),
                   "choose another name: that one means walls");
@@ -105,7 +92,6 @@ std::vector<SpeciesDescription> read_species(const Section& root) {
     if (all.size() > std::numeric_limits<SpeciesId>::max()) {
       throw Error("there are more than 256 species", name.location(), "describe fewer");
     }
-    if (const auto moment = section.find("moment")) species.inertia_factor = moment->number();
     all.push_back(species);
   }
   return all;

@@ -13,10 +13,8 @@ namespace hardball {
 namespace {
 
 void read_placement(const Section& section, SphereGroup& group) {
+  section.refuse_both("placement", "positions");
   if (const auto positions = section.find("positions")) {
-    if (const auto placement = section.find("placement")) {
-      throw Error("both placement and positions are given", placement->location(), "remove one of the two");
-    }
     group.placement = Placement::listed;
     group.positions = positions->vectors(group.dimensions);
     return;
@@ -59,11 +57,7 @@ void read_velocities(const Section& section, SphereGroup& group) {
 // The number of spheres that fill a part of the box.
 std::size_t read_packing_fraction(const Section& section, const Value& fraction, const SphereGroup& group,
                                   const Scenario& scenario) {
-  for (const char* other : {"count", "positions"}) {
-    if (!section.find(other)) continue;
-    throw Error(std::string("both packing_fraction and ") + other + " are given", fraction.location(),
-                "remove one of the two");
-  }
+  for (const char* const other : {"count", "positions"}) section.refuse_both("packing_fraction", other);
   if (scenario.packing_fraction) {
     throw Error("the box and the spheres both have a packing_fraction", fraction.location(),
                 "give count here, from which the box follows, or give the box a size");
@@ -153,14 +147,11 @@ void read_sizes(const Section& section, const std::filesystem::path& folder, Sph
 }
 
 void read_spins(const Section& section, SphereGroup& group) {
-  const std::optional<Value> temperature = section.find("rotational_temperature");
+  section.refuse_both("rotational_temperature", "spins");
+  if (const auto temperature = section.find("rotational_temperature"))
+    group.rotational_temperature = temperature->number();
   const std::optional<Value> spins = section.find("spins");
-  if (temperature) group.rotational_temperature = temperature->number();
   if (!spins) return;
-  if (temperature) {
-    throw Error("both rotational_temperature and spins are given", spins->location(),
-                "remove one of the two");
-  }
   group.spins = spins->vectors(kAxes);
   if (group.spins.size() != group.count) {
     spins->wrong_length(group.spins.size(), "give one for each of the " + to_text(group.count) + " spheres");
@@ -181,10 +172,9 @@ SphereGroup read_spheres(const Section& section, const std::filesystem::path& fo
   read_spins(section, group);
   if (const auto name = section.find("species")) group.species = species_named(*name, scenario.species);
   if (const auto kinematic = section.find("kinematic")) group.is_kinematic = kinematic->truth();
-  if (group.is_kinematic && section.find("mass")) {
-    throw Error("both mass and kinematic are given", section.need("mass").location(),
-                "remove one of the two: the mass of kinematic spheres is infinite");
-  }
+  if (group.is_kinematic)
+    section.refuse_both("mass", "kinematic",
+                        "remove one of the two: the mass of kinematic spheres is infinite");
   return group;
 }
 

@@ -17,39 +17,26 @@ namespace {
 SurfaceMaterial read_material(const Section& section) {
   SurfaceMaterial material;
   if (const auto restitution = section.find("restitution")) material.restitution = restitution->number();
-  if (const auto temperature = section.find("temperature")) {
-    material.temperature = temperature->number();
-    if (material.restitution) {
-      throw Error(
-          "both restitution and temperature are given", temperature->location(),
-          "remove one of the two: the velocities with which spheres leave a thermal wall do not depend on "
-          "those before");
-    }
-  }
+  if (const auto temperature = section.find("temperature")) material.temperature = temperature->number();
+  section.refuse_both("restitution", "temperature",
+                      "remove one of the two: the velocities with which spheres leave a thermal wall do not "
+                      "depend on those before");
   return material;
 }
 
 // The plane, or one that oscillates if the section says so.
 Shape read_oscillation(const Section& section, const Shape& plane) {
-  const std::optional<Value> velocity = section.find("velocity");
-  const std::optional<Value> amplitude = section.find("amplitude");
-  const std::optional<Value> frequency = section.find("frequency");
-  if (!amplitude && !frequency) return plane;
-  if (velocity) {
-    throw Error("both velocity and " + std::string(amplitude ? "amplitude" : "frequency") + " are given",
-                velocity->location(), "a plane either moves evenly or oscillates; remove one of the two");
-  }
+  if (!section.find("amplitude") && !section.find("frequency")) return plane;
+  for (const char* const oscillation : {"amplitude", "frequency"})
+    section.refuse_both("velocity", oscillation,
+                        "a plane either moves evenly or oscillates; remove one of the two");
   return oscillating(plane, section.need("amplitude").number(), section.need("frequency").number());
 }
 
 // Error, with `where` as its place: a number cannot be computed with.
 SurfaceDescription described(const Shape& shape, const Vec3& point, const Vec3& velocity,
                              const SurfaceMaterial& material, const std::string& where) {
-  try {
-    return {Surface(shape, point, velocity, material), where};
-  } catch (const Error& error) {
-    throw Error(error.problem(), where, error.remedy());
-  }
+  return made_at(where, [&] { return SurfaceDescription{Surface(shape, point, velocity, material), where}; });
 }
 
 SurfaceDescription read_wall(const Section& section, std::size_t dimensions) {
@@ -66,12 +53,8 @@ SurfaceDescription read_wall(const Section& section, std::size_t dimensions) {
 }
 
 std::vector<Vec3> read_positions(const Section& section, std::size_t dimensions) {
-  const std::optional<Value> position = section.find("position");
-  const std::optional<Value> positions = section.find("positions");
-  if (position && positions) {
-    throw Error("both position and positions are given", positions->location(), "remove one of the two");
-  }
-  if (positions) return positions->vectors(dimensions);
+  section.refuse_both("position", "positions");
+  if (const auto positions = section.find("positions")) return positions->vectors(dimensions);
   return {section.need("position").vector(dimensions)};
 }
 

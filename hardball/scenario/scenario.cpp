@@ -123,12 +123,9 @@ void read_shear(const Section& box, Scenario& scenario) {
 }
 
 void read_start_velocities(const Section& start, Scenario& scenario) {
+  start.refuse_both("mean_speed", "temperature");
   const std::optional<Value> mean_speed = start.find("mean_speed");
   const std::optional<Value> temperature = start.find("temperature");
-  if (mean_speed && temperature) {
-    throw Error("both mean_speed and temperature are given", temperature->location(),
-                "remove one of the two");
-  }
   if (!mean_speed && !temperature) return;
   scenario.start_velocity_rule = mean_speed ? VelocityRule::mean_speed : VelocityRule::temperature;
   scenario.start_velocity_scale = (mean_speed ? mean_speed : temperature)->number();
@@ -168,66 +165,27 @@ ThermostatKind read_thermostat(const Section& section) {
 
 GrowthRules read_growth(const Section& section) {
   GrowthRules rules;
-  if (const auto rate = section.find("rate")) rules.rate = rate->number();
-  if (const auto fraction = section.find("packing_fraction"))
-    rules.until_packing_fraction = fraction->number();
-  if (const auto most = section.find("compressibility")) rules.until_compressibility = most->number();
-  try {
-    static_cast<void>(GrowthSchedule(rules));
-  } catch (const Error& error) {
-    throw Error(error.problem(), section.location(), error.remedy());
-  }
-  return rules;
+  section.read_fields(rules);
+  return made_at(section.location(), [&] { return GrowthSchedule(rules).rules(); });
 }
 
-void read_run(const Section& section, Scenario& scenario) {
-  if (const auto until = section.find("until")) scenario.until = until->number();
-  if (const auto seed = section.find("seed")) scenario.seed = seed->integer();
-}
-
-// When snapshots are taken, and in which formats they are written.
-void read_snapshots(const Section& section, Scenario& scenario) {
-  const std::optional<Value> every = section.find("snapshots_every");
-  const std::optional<Value> per_decade = section.find("snapshots_per_decade");
-  const std::optional<Value> every_contacts = section.find("snapshots_every_contacts");
-  const std::optional<Value> first = section.find("first_snapshot");
-  const std::optional<Value> trajectory = section.find("trajectory");
-  if ((every && per_decade) || (every_contacts && (every || per_decade))) {
-    throw Error(std::string("both ") + (every ? "snapshots_every" : "snapshots_per_decade") + " and " +
-                    (every_contacts ? "snapshots_every_contacts" : "snapshots_per_decade") + " are given",
-                (every_contacts ? every_contacts : per_decade)->location(), "remove one of the two");
-  }
-  if (first && !per_decade) {
-    throw Error("first_snapshot is given without snapshots_per_decade", first->location(),
+void read_output(const Section& section, OutputDescription& output) {
+  section.read_fields(output);
+  section.refuse_both("snapshots_every", "snapshots_per_decade");
+  section.refuse_both("snapshots_every", "snapshots_every_contacts");
+  section.refuse_both("snapshots_per_decade", "snapshots_every_contacts");
+  if (output.first_snapshot && !output.snapshots_per_decade) {
+    throw Error("first_snapshot is given without snapshots_per_decade",
+                section.need("first_snapshot").location(),
                 "add snapshots_per_decade = 10, say, or remove it");
   }
-  if (every) {
-    scenario.snapshots = SnapshotSchedule::every(every->number());
-  } else if (per_decade) {
-    scenario.snapshots =
-        SnapshotSchedule::logarithmic(section.need("first_snapshot").number(), per_decade->integer());
-  } else if (every_contacts) {
-    scenario.snapshots = SnapshotSchedule::every_contacts(every_contacts->integer());
-  } else if (trajectory) {
-    throw Error("trajectory is given, but no snapshots are taken", trajectory->location(),
+  if (output.snapshots_per_decade) section.need("first_snapshot");
+  const bool is_never = output.snapshots().is_never();
+  if (is_never && !output.trajectory.empty()) {
+    throw Error("trajectory is given, but no snapshots are taken", section.need("trajectory").location(),
                 "add snapshots_every, snapshots_per_decade or snapshots_every_contacts");
   }
-  if (trajectory) {
-    for (const Value& format : trajectory->some())
-      scenario.trajectories.push_back(static_cast<SnapshotFormat>(format.choice()));
-  } else if (!scenario.snapshots.is_never()) {
-    scenario.trajectories = {SnapshotFormat::extended_xyz};
-  }
-}
-
-void read_output(const Section& section, Scenario& scenario) {
-  if (const auto directory = section.find("directory")) scenario.output_directory = directory->text();
-  if (const auto every = section.find("checkpoint_every")) scenario.checkpoint_every = every->number();
-  if (const auto at = section.find("checkpoint_at")) scenario.checkpoint_at = at->numbers();
-  read_snapshots(section, scenario);
-  if (const auto event_log = section.find("event_log")) scenario.event_log = event_log->truth();
-  if (const auto recording = section.find("recording")) scenario.recording = recording->truth();
-  if (const auto report = section.find("report")) scenario.report = report->truth();
+  if (!is_never && output.trajectory.empty()) output.trajectory = {SnapshotFormat::extended_xyz};
 }
 
 void read_measures(const Section& section, MeasureSettings& measures) {
@@ -238,8 +196,7 @@ void read_measures(const Section& section, MeasureSettings& measures) {
       measures.names.push_back(name.text());
     }
   }
-  if (const auto every = section.find("every")) measures.every = every->number();
-  if (const auto from = section.find("from")) measures.from = from->number();
+  section.read_fields(measures);
 }
 
 // By default measures are taken where nothing excludes them.
@@ -275,8 +232,8 @@ Scenario read_scenario(const Document& document) {
   if (const auto thermostat = root.section("thermostat")) scenario.thermostat = read_thermostat(*thermostat);
   if (const auto growth = root.section("growth")) scenario.growth = read_growth(*growth);
   read_settling(root, scenario);
-  if (const auto run = root.section("run")) read_run(*run, scenario);
-  if (const auto output = root.section("output")) read_output(*output, scenario);
+  if (const auto run = root.section("run")) run->read_fields(scenario.run);
+  if (const auto output = root.section("output")) read_output(*output, scenario.output);
   if (const auto measures = root.section("measures")) read_measures(*measures, scenario.measures);
   const auto is_listed = [](const SphereGroup& group) { return group.placement == Placement::listed; };
   scenario.measures.is_start_placed = scenario.measures.from == 0 && !scenario.start_file &&
@@ -310,6 +267,14 @@ Features Scenario::features() const {
   features.add(Feature::merging, merges || std::ranges::any_of(pairs, merge));
   features.add(Feature::kinematic, std::ranges::any_of(spheres, &SphereGroup::is_kinematic));
   return features;
+}
+
+SnapshotSchedule OutputDescription::snapshots() const {
+  if (snapshots_every) return SnapshotSchedule::every(*snapshots_every);
+  if (snapshots_per_decade)
+    return SnapshotSchedule::logarithmic(first_snapshot.value(), *snapshots_per_decade);
+  if (snapshots_every_contacts) return SnapshotSchedule::every_contacts(*snapshots_every_contacts);
+  return {};
 }
 
 double SphereGroup::mass_of(std::size_t index) const {

@@ -5,13 +5,16 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "hardball/describe/field.hpp"
 #include "hardball/describe/names.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/growth/growth_schedule.hpp"
@@ -97,6 +100,16 @@ struct SpeciesDescription {
   std::string name;
   /// Moment of inertia over mass and squared radius [1]; that of uniform spheres or discs if not given.
   std::optional<double> inertia_factor;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        Field{"name", &SpeciesDescription::name, NumberRange::finite, "",
+              "its name, by which `[[spheres]]` and `[[response.pairs]]` refer to it", "\"steel\""},
+        option("moment", &SpeciesDescription::inertia_factor, NumberRange::positive, "",
+               "the moment of inertia of its spheres over mass and squared radius: 2/5 for uniform "
+               "spheres and 1/2 for uniform discs, if not given; 2/3 for shells",
+               "0.4")};
+  }
 };
 
 /// What two species do at contacts: a table [[response.pairs]] of a scenario.
@@ -120,6 +133,83 @@ struct BondsDescription {
   std::optional<std::filesystem::path> file;  ///< A file with the pairs, instead of `pairs`.
   StepRules rules;
   std::string where;  ///< Location in the scenario, for messages.
+};
+
+/// The run: the table [run] of a scenario.
+struct RunDescription {
+  std::optional<double> until;  ///< When it ends [T].
+  std::uint64_t seed = 1;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        option("until", &RunDescription::until, NumberRange::not_negative, "T",
+               "when the run ends; `--until` takes precedence", "10.0"),
+        option("seed", &RunDescription::seed,
+               "the seed of the random numbers for radii, placement, velocities and the thermostat; "
+               "`--seed` takes precedence",
+               "1", "1")
+            .within(0, std::numeric_limits<std::int64_t>::max())};
+  }
+};
+
+/// The files that are written: the table [output] of a scenario.
+struct HARDBALL_EXPORT OutputDescription {
+  std::optional<std::filesystem::path> directory;
+  std::optional<double> snapshots_every;              ///< [T]
+  std::optional<std::uint64_t> snapshots_per_decade;  ///< Goes with first_snapshot.
+  std::optional<double> first_snapshot;               ///< [T]
+  std::optional<std::uint64_t> snapshots_every_contacts;
+  std::vector<SnapshotFormat> trajectory;  ///< Formats; none if no snapshots are taken.
+  bool event_log = false;
+  bool recording = false;
+  double checkpoint_every = 60;       ///< Seconds of wall time.
+  std::vector<double> checkpoint_at;  ///< [T]
+  bool report = true;                 ///< Where there is a directory.
+
+  /// When snapshots are taken.
+  SnapshotSchedule snapshots() const;
+
+  /// The formats of trajectories, in the order of SnapshotFormat.
+  static constexpr std::array<std::string_view, 5> kFormats{"xyz", "xyz.zst", "gsd", "lammps", "vtp"};
+
+  static constexpr auto fields() {
+    using enum NumberRange;
+    using Output = OutputDescription;
+    return std::tuple{
+        option("directory", &Output::directory,
+               "the directory of the files; `--out` takes precedence; without either, no files are written",
+               "\"out\""),
+        option("snapshots_every", &Output::snapshots_every, positive, "T",
+               "interval of the snapshots in the trajectory; none are taken unless this, "
+               "`snapshots_per_decade` or `snapshots_every_contacts` is given",
+               "0.5"),
+        option("snapshots_per_decade", &Output::snapshots_per_decade,
+               "or: how many snapshots are taken while the time grows tenfold, evenly in its logarithm, from "
+               "`first_snapshot` on",
+               "10")
+            .within(1, 1000),
+        option("first_snapshot", &Output::first_snapshot, positive, "T",
+               "goes with `snapshots_per_decade`: the time of the first snapshot after that of the start",
+               "0.001"),
+        option("snapshots_every_contacts", &Output::snapshots_every_contacts,
+               "or: how many collisions and wall contacts lie between two snapshots", "10000")
+            .within(1, std::numeric_limits<std::int64_t>::max()),
+        option("trajectory", &Output::trajectory,
+               "the format of the trajectory: `trajectory.xyz`, `trajectory.xyz.zst`, `trajectory.gsd`, "
+               "`trajectory.lammpstrj` or `trajectory.pvd`",
+               "\"gsd\"", "\"xyz\"")
+            .one_of(kFormats),
+        option("event_log", &Output::event_log, "whether to write `events.npy`", "true", "false"),
+        option("recording", &Output::recording,
+               "whether to write `recording.hbr`, for the [viewer](viewer.md)", "true", "false"),
+        option("checkpoint_every", &Output::checkpoint_every, positive, "",
+               "seconds of wall time between checkpoints, from which `hardball resume` resumes", "600",
+               "60.0"),
+        option("checkpoint_at", &Output::checkpoint_at, finite, "T",
+               "times at which a checkpoint is also written; each is kept as `checkpoints/T.hbc`",
+               "[10.0, 100.0]"),
+        option("report", &Output::report, "whether to write `report.html`", "false", "true")};
+  }
 };
 
 /// A description of a run: the contents of a scenario file, each value checked by itself.
@@ -163,17 +253,9 @@ struct HARDBALL_EXPORT Scenario {
   std::vector<BondsDescription> bonds;
   std::optional<ThermostatKind> thermostat;  ///< The thermostat; its seed is that of the run.
   std::optional<GrowthRules> growth;         ///< Growth of all spheres, from the start on.
-  std::optional<double> until;               ///< When the run ends [T].
-  std::uint64_t seed = 1;
-  std::optional<std::filesystem::path> output_directory;
-  SnapshotSchedule snapshots;                ///< Schedule of the trajectories.
-  std::vector<SnapshotFormat> trajectories;  ///< Formats of the trajectories; none if no snapshots are taken.
-  bool event_log = false;
-  bool recording = false;
-  double checkpoint_every = 60;       ///< Seconds of wall time.
-  std::vector<double> checkpoint_at;  ///< [T]
-  bool report = true;                 ///< Where there is an output directory.
-  MeasureSettings measures;           ///< Settings of all measures if the scenario has no table [measures].
+  RunDescription run;
+  OutputDescription output;
+  MeasureSettings measures;  ///< Settings of all measures if the scenario has no table [measures].
 
   /// The constant coefficient of restitution of all contacts of smooth spheres [1]; NaN if they have none.
   double restitution() const;

@@ -116,7 +116,7 @@ std::unique_ptr<PythonSimulation> from_scenario(const Function<Scenario()>& read
   };
   std::unique_ptr<PythonSimulation> made = owned(simulation());
   if (!notes.empty() && PyErr_WarnEx(PyExc_UserWarning, notes.c_str(), 1) != 0) throw py::error_already_set();
-  made->set_until(scenario.until);
+  made->set_until(scenario.run.until);
   return made;
 }
 

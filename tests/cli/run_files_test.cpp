@@ -46,7 +46,7 @@ World two_spheres() {
 
 Scenario scenario_of(const std::vector<SnapshotFormat>& formats) {
   Scenario scenario;
-  scenario.trajectories = formats;
+  scenario.output.trajectory = formats;
   scenario.measures.names.clear();
   return scenario;
 }

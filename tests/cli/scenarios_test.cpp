@@ -57,7 +57,7 @@ TEST_P(EveryScenario, IsAcceptedByCheck) {
 TEST_P(EveryScenario, IsTheSameWithAllEngines) {
   const Scenario scenario = load_scenario(path_of(GetParam()));
   // A part of each will do: all engines run it, all pairs and the paper's among them.
-  const double until = *scenario.until / 4;
+  const double until = *scenario.run.until / 4;
   const ProgramOutcome outcome =
       run_program(folder_, {"verify", path_of(GetParam()), "--until", to_text(until)});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages << outcome.output;

@@ -106,7 +106,7 @@ TEST(MakeWorld, IsAFunctionOfTheSeed) {
   Scenario scenario = make_scenario(Boundary::wall, 10, {make_group(50, VelocityRule::temperature, 1)});
   const World first = make_world(scenario);
   const World again = make_world(scenario);
-  scenario.seed = 2;
+  scenario.run.seed = 2;
   const World other = make_world(scenario);
   EXPECT_TRUE(std::equal(first.paths().begin(), first.paths().end(), again.paths().begin()));
   EXPECT_FALSE(std::equal(first.paths().begin(), first.paths().end(), other.paths().begin()));
@@ -221,7 +221,7 @@ TEST(MakeWorld, DrawsRadiiAndGivesMassesByDensity) {
   EXPECT_NEAR(temperature(world, 300, 400), 2.5, 1e-13);
   EXPECT_LT(length(momentum(world, Time(0))), 1e-10);
   const World again = make_world(scenario);
-  scenario.seed = 2;
+  scenario.run.seed = 2;
   const World other = make_world(scenario);
   EXPECT_EQ(again.base_radius(0), world.base_radius(0));
   EXPECT_NE(other.base_radius(0), world.base_radius(0));
@@ -619,7 +619,7 @@ TEST(PackingFraction, GivesTheBoxItsSize) {
                              "\n" + kSpheres + "count = 20\nradius = 1\n",
                          "gas.toml");
       for (const std::uint64_t seed : {1U, 2U}) {
-        scenario.seed = seed;
+        scenario.run.seed = seed;
         fit_box(scenario);
         const World world = make_world(scenario);
         // Sums of 320 volumes and a root: each is rounded by 2^-53 at most.

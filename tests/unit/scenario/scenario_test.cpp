@@ -147,14 +147,14 @@ TEST(ParseScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.surfaces[5].where, "gas.toml:44:1");
   EXPECT_EQ(scenario.restitution(), 0.5);
   EXPECT_EQ(scenario.bounce.elastic_below, 0.125);
-  EXPECT_EQ(scenario.until, 12);
-  EXPECT_EQ(scenario.seed, 7U);
-  EXPECT_EQ(scenario.output_directory, "out");
-  EXPECT_EQ(scenario.snapshots.time(3), 1.5);
-  EXPECT_EQ(scenario.trajectories, std::vector{SnapshotFormat::extended_xyz});
-  EXPECT_TRUE(scenario.event_log);
-  EXPECT_FALSE(scenario.report);
-  EXPECT_TRUE(scenario.recording);
+  EXPECT_EQ(scenario.run.until, 12);
+  EXPECT_EQ(scenario.run.seed, 7U);
+  EXPECT_EQ(scenario.output.directory, "out");
+  EXPECT_EQ(scenario.output.snapshots().time(3), 1.5);
+  EXPECT_EQ(scenario.output.trajectory, std::vector{SnapshotFormat::extended_xyz});
+  EXPECT_TRUE(scenario.output.event_log);
+  EXPECT_FALSE(scenario.output.report);
+  EXPECT_TRUE(scenario.output.recording);
   EXPECT_EQ(scenario.measures.names, (std::vector<std::string>{"pressure", "bond_order"}));
   EXPECT_EQ(scenario.measures.every, 0.25);
   EXPECT_EQ(scenario.measures.from, 2);
@@ -202,14 +202,14 @@ TEST(ParseScenario, HasDefaults) {
   EXPECT_TRUE(scenario.surfaces.empty());
   EXPECT_EQ(scenario.bounce.elastic_below, 0);
   EXPECT_EQ(scenario.restitution(), 1);
-  EXPECT_FALSE(scenario.until);
-  EXPECT_EQ(scenario.seed, 1U);
-  EXPECT_FALSE(scenario.output_directory);
-  EXPECT_TRUE(scenario.snapshots.is_never());
-  EXPECT_TRUE(scenario.trajectories.empty());
-  EXPECT_FALSE(scenario.event_log);
-  EXPECT_TRUE(scenario.report);
-  EXPECT_FALSE(scenario.recording);
+  EXPECT_FALSE(scenario.run.until);
+  EXPECT_EQ(scenario.run.seed, 1U);
+  EXPECT_FALSE(scenario.output.directory);
+  EXPECT_TRUE(scenario.output.snapshots().is_never());
+  EXPECT_TRUE(scenario.output.trajectory.empty());
+  EXPECT_FALSE(scenario.output.event_log);
+  EXPECT_TRUE(scenario.output.report);
+  EXPECT_FALSE(scenario.output.recording);
   EXPECT_EQ(scenario.measures.names, std::vector<std::string>{"all"});
   EXPECT_FALSE(scenario.measures.every);
   EXPECT_EQ(scenario.measures.from, 0);
@@ -219,14 +219,14 @@ TEST(ParseScenario, HasDefaults) {
 TEST(ParseScenario, SamplesInTimeInItsLogarithmAndByContacts) {
   const Scenario logarithmic =
       parse(kLeast, {"output.snapshots_per_decade=2", "output.first_snapshot=0.5", "output.trajectory=gsd"});
-  EXPECT_EQ(logarithmic.snapshots.time(0), 0);
-  EXPECT_EQ(logarithmic.snapshots.time(1), 0.5);
-  EXPECT_EQ(logarithmic.snapshots.time(3), 5);
-  EXPECT_EQ(logarithmic.trajectories, std::vector{SnapshotFormat::gsd});
+  EXPECT_EQ(logarithmic.output.snapshots().time(0), 0);
+  EXPECT_EQ(logarithmic.output.snapshots().time(1), 0.5);
+  EXPECT_EQ(logarithmic.output.snapshots().time(3), 5);
+  EXPECT_EQ(logarithmic.output.trajectory, std::vector{SnapshotFormat::gsd});
   const Scenario by_contacts = parse(
       kLeast, {"output.snapshots_every_contacts=100", R"(output.trajectory=["vtp", "xyz.zst", "lammps"])"});
-  EXPECT_EQ(by_contacts.snapshots.contacts(2), 200U);
-  EXPECT_EQ(by_contacts.trajectories,
+  EXPECT_EQ(by_contacts.output.snapshots().contacts(2), 200U);
+  EXPECT_EQ(by_contacts.output.trajectory,
             (std::vector{SnapshotFormat::vtp, SnapshotFormat::extended_xyz_zst, SnapshotFormat::lammps}));
 }
 
@@ -311,7 +311,7 @@ TEST(ParseScenario, TakesWholeNumbersInAnyForm) {
 TEST(Overrides, ReplaceValues) {
   const Scenario scenario =
       parse(kText, {"run.until=5", "spheres.0.count=20", "spheres.1.positions.1.2=7", "box.size.0=11"});
-  EXPECT_EQ(scenario.until, 5);
+  EXPECT_EQ(scenario.run.until, 5);
   EXPECT_EQ(scenario.spheres.at(0).count, 20U);
   EXPECT_EQ(scenario.spheres.at(1).positions.at(1), (Vec3{4, 5, 7}));
   EXPECT_EQ(scenario.box[0].size, 11);
@@ -320,21 +320,21 @@ TEST(Overrides, ReplaceValues) {
 TEST(Overrides, AddKeysAndTables) {
   const Scenario scenario = parse(kLeast, {"response.restitution=0.25", "run.until=5", "run.seed=9"});
   EXPECT_EQ(scenario.restitution(), 0.25);
-  EXPECT_EQ(scenario.until, 5);
-  EXPECT_EQ(scenario.seed, 9U);
+  EXPECT_EQ(scenario.run.until, 5);
+  EXPECT_EQ(scenario.run.seed, 9U);
 }
 
 TEST(Overrides, TakePlainWordsAsStrings) {
   EXPECT_EQ(parse(kLeast, {"spheres.0.placement=fcc"}).spheres.at(0).placement, Placement::fcc);
   EXPECT_EQ(parse(kLeast, {"spheres.0.placement=\"fcc\""}).spheres.at(0).placement, Placement::fcc);
-  EXPECT_EQ(parse(kLeast, {"output.directory=some/folder-2"}).output_directory, "some/folder-2");
+  EXPECT_EQ(parse(kLeast, {"output.directory=some/folder-2"}).output.directory, "some/folder-2");
 }
 
 TEST(Overrides, ApplyInOrder) {
-  EXPECT_EQ(parse(kLeast, {"run.until=5", "run.until=6"}).until, 6);
-  EXPECT_EQ(parse(kLeast, {"run.until=.5"}).until, 0.5);
-  EXPECT_EQ(parse(kLeast, {"run.until=5."}).until, 5);
-  EXPECT_EQ(parse(kLeast, {"run.until=5.e2"}).until, 500);
+  EXPECT_EQ(parse(kLeast, {"run.until=5", "run.until=6"}).run.until, 6);
+  EXPECT_EQ(parse(kLeast, {"run.until=.5"}).run.until, 0.5);
+  EXPECT_EQ(parse(kLeast, {"run.until=5."}).run.until, 5);
+  EXPECT_EQ(parse(kLeast, {"run.until=5.e2"}).run.until, 500);
 }
 
 TEST(LoadScenario, ReadsAFile) {
