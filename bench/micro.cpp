@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // The cost of the parts of an event in isolation, in L1 and L2: contact times with each instruction set, the
-// calendar, and crossings of the broad phases. Also the cost of births and deaths among many spheres, and of
-// drops that merge.
+// calendar, and crossings of the broad phases. Also the cost of births and deaths among many spheres, of
+// drops that merge, and of queries.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -166,6 +166,70 @@ void merge_drops(benchmark::State& state) {
   }
 }
 
+enum class Question { ray, clearance, overlap, first_contact };
+constexpr std::array kQuestions{std::pair{Question::ray, "ray"}, std::pair{Question::clearance, "clearance"},
+                                std::pair{Question::overlap, "overlap"},
+                                std::pair{Question::first_contact, "first_contact"}};
+
+// A query of a gas in equilibrium of as many spheres as the argument says, each from another place. Rays are
+// 20 mean free paths long, balls have twice the radius of the spheres, and first contacts are those within so
+// many mean free times. Between queries of first contacts nothing moves, so that speeds are computed once.
+void ask(benchmark::State& state, Question question, double packing_fraction, double free_times) {
+  Simulation simulation(make_gas(packing_fraction, static_cast<std::size_t>(state.range(0))));
+  while (simulation.counters().contacts() < 5 * simulation.size()) simulation.run_contacts(simulation.size());
+  const Vec3 size = simulation.setting().box().size();
+  const double density = packing_fraction * 6 / std::numbers::pi;
+  const double mean_free_path = 1 / (std::sqrt(2.0) * std::numbers::pi * density);
+  const double mean_speed = std::sqrt(8 / std::numbers::pi);
+  const double end = simulation.time() + free_times * mean_free_path / mean_speed;
+  constexpr std::size_t kQueries = 1 << 12;
+  Random random(3);
+  std::vector<Vec3> points;
+  std::vector<Vec3> directions;
+  std::vector<SphereId> ids;
+  for (std::size_t i = 0; i < kQueries; ++i) {
+    points.push_back({size.x * random.uniform(), size.y * random.uniform(), size.z * random.uniform()});
+    directions.push_back(random.direction());
+    ids.push_back(static_cast<SphereId>(random.bits() % simulation.size()));
+  }
+  std::size_t next = 0;
+  for (auto _ : state) {
+    switch (question) {
+      case Question::ray:
+        benchmark::DoNotOptimize(simulation.ray(points[next], directions[next], 20 * mean_free_path));
+        break;
+      case Question::clearance:
+        benchmark::DoNotOptimize(simulation.clearance(points[next]));
+        break;
+      case Question::overlap:
+        benchmark::DoNotOptimize(simulation.overlap(points[next], 2 * kRadius));
+        break;
+      case Question::first_contact:
+        benchmark::DoNotOptimize(simulation.first_contact(ids[next], mean_speed * directions[next], end));
+        break;
+    }
+    next = (next + 1) % kQueries;
+  }
+}
+
+void register_queries() {
+  for (const double packing_fraction : {0.01, 0.1, 0.49}) {
+    for (const auto& [question, name] : kQuestions) {
+      for (const double free_times : {1.0, 5.0}) {
+        const bool looks_ahead = question == Question::first_contact;
+        if (!looks_ahead && free_times > 1) continue;
+        const std::string title = "query/" + std::string(name) + "/" + to_text(packing_fraction) +
+                                  (looks_ahead ? "/" + to_text(free_times) : "");
+        benchmark::RegisterBenchmark(title.c_str(), ask, question, packing_fraction, free_times)
+            ->Unit(benchmark::kMicrosecond)
+            ->Arg(1000)
+            ->Arg(20000)
+            ->Arg(1000000);
+      }
+    }
+  }
+}
+
 void register_all() {
   const std::array sets{std::pair{InstructionSet::portable, "portable"},
                         std::pair{InstructionSet::avx2, "avx2"}, std::pair{InstructionSet::avx512, "avx512"}};
@@ -184,6 +248,7 @@ void register_all() {
     benchmark::RegisterBenchmark(title.c_str(), remove_and_add, packing_fraction)->Arg(1000000);
   }
   benchmark::RegisterBenchmark("merge_drops", merge_drops)->Arg(10000);
+  register_queries();
 }
 
 }  // namespace

@@ -5,12 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "hardball/bounds/compact_paths.hpp"
 #include "hardball/broadphase/candidates.hpp"
 #include "hardball/broadphase/sphere_lines.hpp"
+#include "hardball/broadphase/subdivision.hpp"
 #include "hardball/geometry/extent.hpp"
 #include "hardball/kernels/instruction_set.hpp"
+#include "hardball/memory/function.hpp"
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/memory/value_pointer.hpp"
 #include "hardball/world/world.hpp"
@@ -121,6 +124,15 @@ class BroadPhase {
   virtual void prefetch_lists(Slot slot, bool crosses) const = 0;
   /// Prefetches, later still, the data of most of the candidates of that event.
   virtual void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const = 0;
+  /// The cells in which visit_cells finds spheres; null if there are none.
+  virtual const Subdivision* search_cells() const { return nullptr; }
+  using VisitSlots = Function<void(std::span<const Slot>)>;
+  /// Calls visit(slots) for spheres, some perhaps more than once: all whose surface touches one of these
+  /// cells, which need not be folded into the box, and others. Precondition: search_cells() is not null; of
+  /// the spheres, events have been handled up to the present.
+  virtual void visit_cells(const CellRange&, const VisitSlots&) const {}
+  /// Calls visit(slots) for the spheres that may touch cells with their inside alone.
+  virtual void visit_hollow(const VisitSlots&) const {}
   /// How many cells, or rows of cells, spheres have left since `build`.
   virtual std::uint64_t left_count() const = 0;
   virtual std::size_t memory_bytes() const = 0;

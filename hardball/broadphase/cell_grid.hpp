@@ -89,6 +89,14 @@ class CellGrid : public BroadPhase {
     });
     for (std::size_t i = 0; i < count; ++i) copies.prefetch(found[i]);
   }
+  const Subdivision* search_cells() const override { return &cells_; }
+  void visit_cells(const CellRange& range, const VisitSlots& visit) const override {
+    cells_.for_each_folded(cells_.clipped(range), [&](const CellIndex&, const CellIndex& cell) {
+      lists_.for_each_line(table_.list(cell), [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+        visit(std::span(slots).first(count));
+      });
+    });
+  }
   std::uint64_t left_count() const override { return left_count_; }
   std::size_t memory_bytes() const override;
   void validate(const World& world, const Time& now, const CompactPaths&) const override;

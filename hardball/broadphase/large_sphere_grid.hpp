@@ -82,6 +82,9 @@ class LargeSphereGrid final : public CellGrid {
   /// Whether `collect` gives only those candidates of a large sphere that can reach it before its list
   /// expires.
   bool has_approach_list(Slot slot) const { return is_large(slot) && large_of(slot).list.exists(); }
+  void visit_hollow(const VisitSlots& visit) const override {
+    for (const LargeSphere& large : large_) visit({&large.slot, 1});
+  }
   std::uint64_t left_count() const override { return CellGrid::left_count() + moved_anchors_; }
   std::size_t memory_bytes() const override;
   void validate(const World& world, const Time& now, const CompactPaths& copies) const override;

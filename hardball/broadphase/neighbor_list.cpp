@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
+#include <span>
 #include <type_traits>
 
 #include "hardball/errors/error.hpp"
@@ -489,6 +490,31 @@ std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& a
     for (std::size_t i = 0; i < count; ++i) around[i].block = table_.list_at(around[i].block);
   }
   return count;
+}
+
+// A sphere that touches a cell has its anchor there or in an adjacent one. In a sheared box rows have slid by
+// any distance: all of their cells are visited.
+void NeighborList::visit_cells(const CellRange& range, const VisitSlots& visit) const {
+  CellRange around = range;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    around.low[axis] -= 1;
+    around.high[axis] += 1;
+  }
+  if (sliding_.are_present()) {
+    around.low[0] = 0;
+    around.high[0] = cells_.period(0) - 1;
+  }
+  cells_.for_each_folded(cells_.clipped(around), [&](const CellIndex&, const CellIndex& cell) {
+    for (std::uint32_t block = table_.list(cell); block != PointLists::kNone; block = points_.next()[block]) {
+      std::array<Slot, PointBlock::kRoom> found;
+      std::size_t count = 0;
+      for (const Slot slot : points_.blocks()[block].slots) {
+        found[count] = slot;
+        count += slot != PointBlock::kNoSlot ? 1U : 0U;
+      }
+      visit(std::span(found).first(count));
+    }
+  });
 }
 
 std::size_t NeighborList::memory_bytes() const {

@@ -101,6 +101,8 @@ class NeighborList final : public BroadPhase {
   void prefetch_candidates(Slot slot, bool, const CompactPaths& copies) const override {
     for (const Slot other : neighbors_.of(slot)) copies.prefetch(other);
   }
+  const Subdivision* search_cells() const override { return &cells_; }
+  void visit_cells(const CellRange& range, const VisitSlots& visit) const override;
   std::uint64_t left_count() const override { return 0; }
   std::size_t memory_bytes() const override;
   void validate(const World& world, const Time& now, const CompactPaths& copies) const override;

@@ -69,6 +69,18 @@ class ShearedCells final : public BroadPhase {
       for (std::uint32_t i = 0; i < count; ++i) copies.prefetch(found[i]);
     });
   }
+  const Subdivision* search_cells() const override { return &cells_; }
+  // Rows have slid by any distance: all of their cells are visited.
+  void visit_cells(const CellRange& range, const VisitSlots& visit) const override {
+    CellRange rows = range;
+    rows.low[0] = 0;
+    rows.high[0] = cells_.period(0) - 1;
+    cells_.for_each_folded(cells_.clipped(rows), [&](const CellIndex&, const CellIndex& cell) {
+      lists_.for_each_line(table_.list(cell), [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+        visit(std::span(slots).first(count));
+      });
+    });
+  }
   std::uint64_t left_count() const override { return left_count_; }
   std::size_t memory_bytes() const override;
   void validate(const World& world, const Time& now, const CompactPaths&) const override;

@@ -119,6 +119,18 @@ std::int32_t Subdivision::folded_from_beyond(const Axis& cells, std::int32_t ind
   return rest < 0 ? rest + cells.period : rest;
 }
 
+CellRange Subdivision::clipped(const CellRange& range) const {
+  CellRange clipped;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Axis& cells = axes_[axis];
+    clipped.low[axis] = std::clamp(range.low[axis], cells.first, cells.last);
+    clipped.high[axis] = std::clamp(range.high[axis], cells.first, cells.last);
+    if (cells.period > 0)
+      clipped.high[axis] = std::min(clipped.high[axis], clipped.low[axis] + cells.period - 1);
+  }
+  return clipped;
+}
+
 CellIndex Subdivision::cell_of(const Vec3& point) const {
   CellIndex cell;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -174,6 +174,9 @@ class Subdivision {
       }
     }
   }
+  /// A range without the cells that do not exist, at least one along each axis, and with each cell of a
+  /// periodic box once.
+  CellRange clipped(const CellRange& range) const;
   /// By how many cells `image` is displaced along an axis.
   std::int32_t cells_beyond(std::size_t axis, const Image& image) const {
     return image[axis] * axes_[axis].period;

@@ -296,6 +296,18 @@ void DomainsEngine::for_each_sphere(const Function<void(const World&, Slot)>& vi
   }
 }
 
+std::vector<SphereSearch::Part> DomainsEngine::search_parts(const Time& moment) const {
+  std::vector<SphereSearch::Part> parts;
+  if (needs_rebuild_ || is_open_ || !is_alone()) return parts;
+  for (std::size_t k = 0; k < group_->size(); ++k) {
+    const Domain& domain = group_->domain(k);
+    if (domain.engine().search_parts(moment).empty()) return {};
+    parts.push_back({&domain.world(), &domain.engine().phase(),
+                     [&domain](Slot slot) { return domain.ownership().is_own(slot); }});
+  }
+  return parts;
+}
+
 const World& DomainsEngine::sample() const {
   if (holds_all_) return world();
   const SphereTransfers own = own_transfers();

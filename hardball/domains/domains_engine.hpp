@@ -63,6 +63,7 @@ class DomainsEngine final : public EngineBase {
   const Event& last_passage() const override;
   bool has_spins() const override;
   void for_each_sphere(const Function<void(const World&, Slot)>& visit) const override;
+  std::vector<SphereSearch::Part> search_parts(const Time& moment) const override;
   const World& sample() const override;
   void for_each(std::size_t count, const Function<void(std::size_t)>& work) override;
 

@@ -68,6 +68,11 @@ class Engine final : public EngineBase {
     return counters;
   }
 
+  std::vector<SphereSearch::Part> search_parts(const Time& moment) const override {
+    if (needs_rebuild_ || now() > moment) return {};
+    return {{&world(), &phase()}};
+  }
+
   std::size_t memory_bytes() const override {
     return forecast_.memory_bytes() + queue_.memory_bytes() + post_contact_.collapse.memory_bytes();
   }

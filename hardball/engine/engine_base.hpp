@@ -15,6 +15,7 @@
 #include "hardball/measure/contact_sums.hpp"
 #include "hardball/memory/for_each.hpp"
 #include "hardball/memory/function.hpp"
+#include "hardball/queries/sphere_search.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/block.hpp"
@@ -69,6 +70,9 @@ class EngineBase {
   virtual void for_each_sphere(const Function<void(const World&, Slot)>& visit) const {
     for (Slot slot = 0; slot < world().size(); ++slot) visit(world(), slot);
   }
+  /// Where queries find the spheres of all processes as they are at `moment`, in cells; empty if the engine
+  /// does not know them, or has looked ahead. Precondition: events up to `moment` have been handled.
+  virtual std::vector<SphereSearch::Part> search_parts(const Time& /*moment*/) const { return {}; }
   /// A world with all spheres, or with some that have the whole range of radii and are spread as all are: of
   /// which the choice of engine and lengths depends.
   virtual const World& sample() const { return world(); }

@@ -16,6 +16,7 @@
 #include "hardball/geometry/inlining.hpp"
 #include "hardball/geometry/motion.hpp"
 #include "hardball/queries/queries.hpp"
+#include "hardball/queries/sphere_search.hpp"
 #include "hardball/world/world.hpp"
 
 /// The search for what a body on its way touches first, among all images of all spheres: in intervals of the
@@ -109,37 +110,30 @@ struct First {
   }
 };
 
-// Divides the way to `end` into intervals, in each of which nothing moves farther than half a periodic box,
-// and calls search(interval) for one after the other until it returns true.
+// Divides the way to `end`, which may come nearer meanwhile, into intervals, in each of which nothing moves
+// farther than half a periodic box, and calls search(interval) for one after the other.
 template <class Stride, class Search>
-void search_in_intervals(Stride&& stride, double end, Search&& search) {
+void search_in_intervals(Stride&& stride, const double& end, Search&& search) {
   double begin = 0;
   for (double intervals = 0; intervals < kMaxIntervals; ++intervals) {
     const Interval during{begin, std::min(begin + stride(begin), end)};
-    if (search(during) || !(during.end < end)) return;
+    search(during);
+    if (!(during.end < end)) return;
     begin = during.end;
   }
   throw RunFailure("a search has crossed half the periodic box 2^30 times; search less far");
 }
 
-// Records other spheres that are touched in an interval, as seen from a body at `from`; `wait_of(slot,
-// other)` is the time until an image is touched. Radii are `scale` times the base radii and do not change.
-template <class StateAt, class WaitOf>
-void note_spheres(const World& world, const Time& start, double scale, const State& from, double radius,
-                  Slot self, const StateAt& state_at, const WaitOf& wait_of, Interval during, First& first) {
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (slot == self) continue;
-    const State state = state_at(slot);
-    const Relative other{state.position - from.position, state.velocity - from.velocity,
-                         radius + scale * world.base_radius(slot)};
-    if (is_missed(world.box(), other, during)) continue;
-    for_each_image(world.box(), other, during, [&](const Vec3& separation) {
-      const double wait = wait_of(slot, Relative{separation, other.velocity, other.reach});
-      if (wait > during.end) return;
-      during.end = wait;
-      first.record({after(start, wait), EventKind::collision, world.id(slot), separation});
-    });
-  }
+// Calls record(wait, separation) for each image of another sphere that is touched at an end of an interval or
+// before, where wait_of(other) is the time until an image is touched, if it is not later than `latest`.
+template <class WaitOf, class Record>
+HARDBALL_ALWAYS_INLINE void for_each_touch(const Box& box, const Relative& other, const Interval& during,
+                                           const double& latest, const WaitOf& wait_of, Record&& record) {
+  if (is_missed(box, other, during)) return;
+  for_each_image(box, other, during, [&](const Vec3& separation) {
+    const double wait = wait_of(Relative{separation, other.velocity, other.reach});
+    if (wait <= latest) record(wait, separation);
+  });
 }
 
 inline double time_to_touch(const Relative& other) {

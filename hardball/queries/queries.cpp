@@ -10,7 +10,9 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/queries/cell_walk.hpp"
 #include "hardball/queries/image_search.hpp"
+#include "hardball/queries/sphere_search.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/pair_event.hpp"
 #include "hardball/world/walls.hpp"
@@ -33,53 +35,109 @@ double time_to_begin(const World& world, const Time& now, SphereId id, SphereId 
   return is_recorded(contact, world.last_passage()) ? kInfinity : wait;
 }
 
-// The first body that a sphere touches on a path that starts now; `pass(slot)` says through which others it
-// passes.
+// Where spheres are that a body may touch up to the end of an interval: it begins at `from`, and none of them
+// is faster than `speed`.
+Extent swept(const State& from, double radius, double speed, const Interval& during) {
+  Extent extent{from.position, from.position};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double velocity = from.velocity[axis];
+    if (velocity == 0) continue;
+    const double begin = from.position[axis] + velocity * during.begin;
+    const double end = from.position[axis] + velocity * during.end;
+    extent.low[axis] = std::min(begin, end);
+    extent.high[axis] = std::max(begin, end);
+  }
+  const double reach = speed > 0 ? speed * during.end : 0;
+  return extent.grown((radius + reach) * (1 + kRounding));
+}
+
+// The first body that a sphere touches on a path that starts now; `pass(world, slot)` says through which
+// others it passes.
 template <class Pass>
-std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slot self, const Path& path,
+std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId id, const Path& path,
                                             double radius, const Pass& pass, const Time& until) {
+  const World& world = search.world();
   check_exclusions_of(Feature::first_contact, world);
   const Time& now = path.time;
   const Box& box = world.box();
   const double last = until.high < kNever.high ? duration(now, until) : until.high;
   check_end(box, last, "time", "first_contact");
   // Contacts whose time rounds to that of the end count.
-  const double end = last + 0x1p-52 * std::fabs(until.high);
+  double end = last + 0x1p-52 * std::fabs(until.high);
   const State from{path.position, path.velocity};
+  const double own_speed = length(path.velocity);
   const Motion& motion = world.motion();
-  const auto state_of = [&](Slot slot) { return motion.state_at(world.path(slot), now); };
-  const bool some_pass = has_passing_pairs(world) || id == kNoSphere;
-  const auto wait_of = [&](Slot slot, const Relative& other) {
-    if (some_pass && pass(slot)) return time_to_begin(world, now, id, world.id(slot), other);
-    return time_to_touch(other);
-  };
 
-  const double half = 0.5 * box.shortest_period();
-  double fastest = 0;
-  for (Slot slot = 0; is_periodic(box) && slot < world.size(); ++slot) {
-    const Vec3 velocity = motion.velocity_at(world.path(slot), now) - path.velocity;
-    if (slot != self) fastest = std::max(fastest, dot(velocity, velocity));
-  }
-  const double stride_to_spheres = half / std::sqrt(fastest);
-  const bool has_obstacles = has_images_of_obstacles(world);
-  const auto stride = [&](double begin) {
-    if (!has_obstacles) return stride_to_spheres;
-    const double gravity = length(motion.gravity());
-    return std::min(stride_to_spheres, time_to_pass(half, length(path.velocity) + gravity * begin, gravity));
-  };
-
+  // What is no later than what has been found, or simultaneous.
+  constexpr double kAfterRounding = 1 + 0x1p-48;
   First first;
-  search_in_intervals(stride, end, [&](const Interval& during) {
-    first = {};
-    note_spheres(world, now, 1, from, radius, self, state_of, wait_of, during, first);
-    const Time from_then = after(now, during.begin);
-    const Time latest = after(now, during.end);
-    for (const Event& wall : {next_wall_event(world, id, path, radius, from_then),
-                              next_obstacle_event(world, id, path, radius, from_then, latest.high)}) {
-      if (wall.time <= latest) first.record({wall.time, wall.kind, wall.second, {}});
-    }
-    return first.time < kNever;
+  const auto record_wall = [&](const Event& wall) {
+    if (!(wall.time <= after(now, end))) return;
+    first.record({wall.time, wall.kind, wall.second, {}});
+    end = std::min(end, std::max(0.0, duration(now, wall.time)) * kAfterRounding);
+  };
+  record_wall(next_wall_event(world, id, path, radius, now));
+  const double half = 0.5 * box.shortest_period();
+  const bool has_obstacles = has_images_of_obstacles(world);
+  const auto stride_to_obstacles = [&](double begin) {
+    if (!has_obstacles) return kInfinity;
+    const double gravity = length(motion.gravity());
+    return time_to_pass(half, own_speed + gravity * begin, gravity);
+  };
+  search_in_intervals(stride_to_obstacles, end, [&](const Interval& during) {
+    record_wall(
+        next_obstacle_event(world, id, path, radius, after(now, during.begin), after(now, during.end).high));
   });
+
+  const bool some_pass = has_passing_pairs(world) || id == kNoSphere;
+  for (const SphereSearch::Part& part : search.parts()) {
+    const World& its = *part.world;
+    const SpeedLimits* const speeds = search.speeds(now);
+    double fastest = speeds ? own_speed + speeds->fastest : 0;
+    for (Slot slot = 0; !speeds && is_periodic(box) && slot < its.size(); ++slot) {
+      const Vec3 velocity = motion.velocity_at(its.path(slot), now) - path.velocity;
+      if (its.id(slot) != id) fastest = std::max(fastest, length(velocity));
+    }
+    Interval looked_at{};
+    const auto look_at = [&](const World& of, Slot slot) {
+      if (of.id(slot) == id) return;
+      const State state = motion.state_at(of.path(slot), now);
+      const Relative other{state.position - from.position, state.velocity - from.velocity,
+                           radius + of.base_radius(slot)};
+      const auto wait_of = [&](const Relative& image) {
+        if (some_pass && pass(of, slot)) return time_to_begin(world, now, id, of.id(slot), image);
+        return time_to_touch(image);
+      };
+      for_each_touch(box, other, looked_at, end, wait_of, [&](double wait, const Vec3& separation) {
+        if (&of == &its && part.owns && !part.owns(slot)) return;
+        first.record({after(now, wait), EventKind::collision, of.id(slot), separation});
+        end = std::min(end, wait * kAfterRounding);
+      });
+    };
+    const BroadPhase::VisitSlots look_at_all = [&](std::span<const Slot> slots) {
+      for (const Slot slot : slots) look_at(its, slot);
+    };
+    bool is_scanning = !speeds || !part.phase->search_cells();
+    const double usual = speeds ? speeds->usual : 0;
+    const auto stride = [&](double begin) {
+      const double longest = half / fastest;
+      if (is_scanning) return longest;
+      // Cells are looked at again in each interval: so these grow.
+      constexpr double kGrowth = 0.5;
+      const Vec3 edges = part.phase->search_cells()->edges();
+      const double first_stride = 0.5 * std::min({edges.x, edges.y, edges.z}) / (own_speed + usual);
+      return std::min(longest, std::max(first_stride, kGrowth * begin));
+    };
+    search_in_intervals(stride, end, [&](const Interval& during) {
+      looked_at = during;
+      const Extent extent = is_scanning ? Extent() : swept(from, radius, usual, during);
+      is_scanning = is_scanning || is_scan_cheaper(part, extent);
+      if (is_scanning) return for_each_sphere(part, [&](Slot slot) { look_at(its, slot); });
+      part.phase->visit_cells(cells_of(*part.phase->search_cells(), extent), look_at_all);
+      part.phase->visit_hollow(look_at_all);
+      for (const Slot slot : speeds->fast) look_at(world, slot);
+    });
+  }
   if (!(first.time < kNever) || first.time.high > until.high) return std::nullopt;
   return NextContact{first.time.value(), first.kind, id, first.body};
 }
@@ -115,29 +173,36 @@ double distance_to_face(const Box& box, const Vec3& point, std::size_t axis, boo
   return upper ? box.size()[axis] - point[axis] : point[axis];
 }
 
-// Records the walls that a ray hits in an interval.
-void note_walls(const World& world, const Time& now, const Path& path, const Interval& during, First& first) {
+// Calls record(distance, number, separation) for each wall that a ray hits in an interval, as for_each_touch
+// does for spheres.
+template <class Record>
+void for_each_wall_hit(const World& world, const Time& now, const Path& path, const Interval& during,
+                       const double& latest, Record&& record) {
   const Box& box = world.box();
-  const auto note = [&](double distance, std::uint32_t number, const Vec3& separation) {
-    if (distance <= during.end) first.record({Time(distance), EventKind::wall, number, separation});
+  const auto record_if_near = [&](double distance, std::uint32_t number) {
+    if (distance <= latest) record(distance, number, Vec3{});
   };
   for_each_face(box, [&](std::size_t axis, bool upper) {
     const double approach = upper ? path.velocity[axis] : -path.velocity[axis];
-    note(time_to_plane(distance_to_face(box, path.position, axis, upper), approach), face_of(axis, upper),
-         {});
+    record_if_near(time_to_plane(distance_to_face(box, path.position, axis, upper), approach),
+                   face_of(axis, upper));
   });
   for_each_surface(world, now, [&](std::uint32_t number, const Surface& surface) {
     const auto* obstacle = std::get_if<Obstacle>(&surface.shape());
-    if (obstacle == nullptr) return note(surface.contact_time(Motion(), path, 0).high, number, {});
+    if (obstacle == nullptr) return record_if_near(surface.contact_time(Motion(), path, 0).high, number);
     const Relative other{surface.point() - path.position, -path.velocity, obstacle->radius()};
-    for_each_image(box, other, during, [&](const Vec3& separation) {
-      note(time_to_enter(Relative{separation, other.velocity, other.reach}), number, separation);
-    });
+    for_each_touch(box, other, during, latest, time_to_enter,
+                   [&](double distance, const Vec3& separation) { record(distance, number, separation); });
   });
 }
 
 void check_vector(const Vec3& vector, const char* name, const char* where) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) check_finite(vector[axis], name, where);
+}
+
+void check_size(double size, const char* name, const char* where) {
+  check_finite(size, name, where);
+  if (size < 0) throw Error(std::string(name) + " is " + to_text(size), where, "give zero or more");
 }
 
 // A point folded into the box as it is at `now`.
@@ -190,98 +255,301 @@ HARDBALL_ALWAYS_INLINE Vec3 shortest_image(const Box& box, const Vec3& apart, co
   return shortest;
 }
 
-std::optional<Clearance> clearance_of(const World& world, const Time& now, const Vec3& center, double radius,
-                                      Slot self) {
+// Whether an image of a sphere overlaps a box with these half edges [L]; its center is at `apart` as seen
+// from that of the box.
+bool overlaps_extent(const Box& box, const Vec3& apart, double radius, const Vec3& half, const Time& now) {
+  const auto beyond = [&](double distance, std::size_t axis) {
+    return std::max(0.0, std::fabs(distance) - half[axis]);
+  };
+  const auto nearest = [&](double distance, std::size_t axis) {
+    return distance - round_to_integer(distance * box.inverse_period()[axis]) * box.period()[axis];
+  };
+  const double z = beyond(nearest(apart.z, 2), 2);
+  const auto is_near = [&](double x, double y) {
+    const Vec3 outside{beyond(nearest(x, 0), 0), beyond(y, 1), z};
+    return dot(outside, outside) < radius * radius;
+  };
+  if (!box.is_sheared()) [[likely]]
+    return is_near(apart.x, nearest(apart.y, 1));
+  const double middle = apart.y * box.inverse_period().y;
+  const double rows = (half.y + radius) * box.inverse_period().y;
+  const auto last = static_cast<std::int32_t>(std::ceil(middle + rows));
+  for (auto row = static_cast<std::int32_t>(std::floor(middle - rows)); row <= last; ++row) {
+    const Vec3 image = apart - box.shift({{0, row, 0}}, now);
+    if (is_near(image.x, image.y)) return true;
+  }
+  return false;
+}
+
+// The body nearest to a sphere that has this id, or to one that is not in the world.
+std::optional<Clearance> clearance_of(const SphereSearch& search, const Time& now, const Vec3& center,
+                                      double radius, SphereId self, const BodyFilter& filter) {
+  const World& world = search.world();
   const Box& box = world.box();
   std::optional<Clearance> nearest;
   double least = kInfinity;
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (slot == self) continue;
-    const Vec3 apart = shortest_image(box, world.unfolded_position(slot, now) - center, now);
-    const double reach = radius + world.radius(slot, now);
-    const double square = dot(apart, apart);
-    // Most are certainly farther, and need no square root.
-    const double within = least + reach;
-    if (within < 0 || square * (1 - kRounding) > within * within) continue;
-    const double distance = std::sqrt(square) - reach;
-    note_nearer({distance, EventKind::collision, world.id(slot)}, nearest);
-    least = nearest->distance;
+  if (filter.walls) {
+    for_each_face(box, [&](std::size_t axis, bool upper) {
+      const double distance = distance_to_face(box, center, axis, upper) - radius;
+      note_nearer({distance, EventKind::wall, face_of(axis, upper)}, nearest);
+    });
+    for_each_surface(world, now, [&](std::uint32_t number, const Surface& surface) {
+      const Vec3 image = nearest_image_of(world, surface, center);
+      note_nearer({surface.distance(center - image, now) - radius, EventKind::wall, number}, nearest);
+    });
+    if (nearest) least = nearest->distance;
   }
-  for_each_face(box, [&](std::size_t axis, bool upper) {
-    const double distance = distance_to_face(box, center, axis, upper) - radius;
-    note_nearer({distance, EventKind::wall, face_of(axis, upper)}, nearest);
-  });
-  for_each_surface(world, now, [&](std::uint32_t number, const Surface& surface) {
-    const Vec3 image = nearest_image_of(world, surface, center);
-    note_nearer({surface.distance(center - image, now) - radius, EventKind::wall, number}, nearest);
-  });
+  for (const SphereSearch::Part& part : search.parts()) {
+    const World& its = *part.world;
+    const auto look_at = [&](Slot slot) {
+      if (its.id(slot) == self) return;
+      const Vec3 apart = shortest_image(box, its.unfolded_position(slot, now) - center, now);
+      const double reach = radius + its.radius(slot, now);
+      const double square = dot(apart, apart);
+      // Most are certainly farther, and need no square root.
+      const double within = least + reach;
+      if (within < 0 || square * (1 - kRounding) > within * within) return;
+      if (!filter.accepts(part, slot)) return;
+      note_nearer({std::sqrt(square) - reach, EventKind::collision, its.id(slot)}, nearest);
+      least = nearest->distance;
+    };
+    const BroadPhase::VisitSlots look_at_all = [&](std::span<const Slot> slots) {
+      for (const Slot slot : slots) look_at(slot);
+    };
+    if (part.phase) part.phase->visit_hollow(look_at_all);
+    const Subdivision* const cells = part.phase ? part.phase->search_cells() : nullptr;
+    const Vec3 edges = cells ? cells->edges() : Vec3{};
+    // Whatever is outside of the extent is at least this far from the center.
+    double reach = 0.5 * std::min({edges.x, edges.y, edges.z});
+    while (true) {
+      const Extent extent = Extent{center, center}.grown(reach * (1 + kRounding));
+      if (is_scan_cheaper(part, extent)) {
+        for_each_sphere(part, look_at);
+        break;
+      }
+      part.phase->visit_cells(cells_of(*cells, extent), look_at_all);
+      if (least + radius <= reach) break;
+      reach = std::min(2 * reach, least + radius);
+    }
+  }
   return nearest;
 }
 
-}  // namespace
-
-std::optional<NextContact> first_contact(const World& world, const Time& now, SphereId id,
-                                         const Vec3& velocity, const Time& until) {
-  const Slot slot = world.slot_of(id);
-  world.check_velocity(id, velocity);
-  const Path path{world.position(slot, now), velocity, now};
-  const auto passes = [&](Slot other) { return pass(world, slot, other); };
-  return first_contact_on(world, id, slot, path, world.base_radius(slot), passes, until);
-}
-
-std::optional<NextContact> first_contact(const World& world, const Time& now, const Sphere& sphere,
-                                         const Time& until) {
-  world.check(sphere);
-  Path path{sphere.position, sphere.velocity, now};
-  world.box().fold(path.position);
-  const auto pass = [&](Slot other) {
-    return world.interactions().pass(sphere.species, world.species(other)) ||
-           (std::isinf(sphere.mass) && world.is_kinematic(other));
-  };
-  return first_contact_on(world, kNoSphere, kNoSlot, path, sphere.radius, pass, until);
-}
-
-std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origin, const Vec3& direction,
-                          double most) {
+// The way of a ray, from inside a periodic box. Error: see ray.
+Path path_of_ray(const World& world, const Time& now, const Vec3& origin, const Vec3& direction,
+                 double most) {
   constexpr const char* kWhere = "ray";
   check_exclusions_of(Feature::ray, world);
-  const Box& box = world.box();
   check_vector(direction, "the direction", kWhere);
   const double norm = length(direction);
   if (!(norm >= kSmallestMagnitude)) {
     throw Error("the direction has the length " + to_text(norm), kWhere,
                 "give a finite vector that is not zero");
   }
-  check_end(box, most, "distance", kWhere);
-  const Path path{folded(box, origin, now, kWhere), (1 / norm) * direction, Time(0)};
-  const auto state_of = [&](Slot slot) { return State{world.unfolded_position(slot, now), {}}; };
-  const auto wait_of = [](Slot, const Relative& other) { return time_to_enter(other); };
+  check_end(world.box(), most, "distance", kWhere);
+  return {folded(world.box(), origin, now, kWhere), (1 / norm) * direction, Time(0)};
+}
+
+// Calls record(hit) for what a ray hits up to `end`, which may come nearer meanwhile, some perhaps more than
+// once.
+template <class Record>
+void search_along(const SphereSearch& search, const Time& now, const Path& path, const double& end,
+                  const BodyFilter& filter, const Record& record) {
+  const World& world = search.world();
+  const Box& box = world.box();
   const double half = 0.5 * box.shortest_period();
+  const auto halves = [half](double) { return half; };
+  if (filter.walls) {
+    search_in_intervals(halves, end, [&](const Interval& during) {
+      for_each_wall_hit(world, now, path, during, end,
+                        [&](double distance, std::uint32_t number, const Vec3& separation) {
+                          record(First{Time(distance), EventKind::wall, number, separation});
+                        });
+    });
+  }
   const double scale = world.motion().scale_at(now);
-  First first;
-  search_in_intervals([half](double) { return half; }, most,
-                      [&](const Interval& during) {
-                        first = {};
-                        note_spheres(world, Time(0), scale, {path.position, path.velocity}, 0, kNoSlot,
-                                     state_of, wait_of, during, first);
-                        note_walls(world, now, path, during, first);
-                        return first.time < kNever;
-                      });
-  if (!(first.time < kNever)) return std::nullopt;
-  const double distance = first.time.value();
+  for (const SphereSearch::Part& part : search.parts()) {
+    const World& its = *part.world;
+    Interval looked_at{};
+    const auto look_at = [&](Slot slot) {
+      const Relative other{its.unfolded_position(slot, now) - path.position, -path.velocity,
+                           scale * its.base_radius(slot)};
+      for_each_touch(box, other, looked_at, end, time_to_enter, [&](double distance, const Vec3& separation) {
+        if (filter.accepts(part, slot))
+          record(First{Time(distance), EventKind::collision, its.id(slot), separation});
+      });
+    };
+    const Subdivision* const cells = part.phase ? part.phase->search_cells() : nullptr;
+    double walked = 0;
+    if (cells) {
+      const BroadPhase::VisitSlots look_at_all = [&](std::span<const Slot> slots) {
+        for (const Slot slot : slots) look_at(slot);
+      };
+      // Then a scan of the rest costs less than what the walk has cost already.
+      const double most_cells = static_cast<double>(its.size()) / part.cell_cost;
+      CellWalk walk(*cells, path.position, path.velocity);
+      for (double count = 0; walked < end && count < most_cells; ++count) {
+        looked_at = {walked, std::min(walk.end(), end)};
+        part.phase->visit_cells({walk.cell(), walk.cell()}, look_at_all);
+        walked = std::max(walked, looked_at.end);
+        if (walked < end) walk.step();
+      }
+    }
+    if (cells && !(walked < end)) continue;
+    search_in_intervals(halves, end, [&](const Interval& during) {
+      looked_at = during;
+      if (during.end >= walked) for_each_sphere(part, look_at);
+    });
+  }
+}
+
+RayHit hit_of(const World& world, const Time& now, const Path& path, const First& hit) {
+  const double distance = hit.time.value();
   const Vec3 way = distance * path.velocity;
   Vec3 point = path.position + way;
-  box.fold(point);
-  return RayHit{first.kind, first.body, distance, point, normal_of(world, now, first, point, way)};
+  world.box().fold(point);
+  return {hit.kind, hit.body, distance, point, normal_of(world, now, hit, point, way)};
 }
 
-std::optional<Clearance> clearance(const World& world, const Time& now, const Vec3& point) {
-  return clearance_of(world, now, folded(world.box(), point, now, "clearance"), 0, kNoSlot);
+// The spheres that overlap a part of space with these half edges [L]: is_inside(apart, radius) says so of
+// one whose center, or that of some image, is at `apart` as seen from the middle.
+template <class IsInside>
+std::vector<SphereId> overlap_with(const SphereSearch& search, const Time& now, const Vec3& middle,
+                                   const Vec3& half, const BodyFilter& filter, const IsInside& is_inside) {
+  const World& world = search.world();
+  const Vec3 center = folded(world.box(), middle, now, "overlap");
+  std::vector<SphereId> found;
+  for (const SphereSearch::Part& part : search.parts()) {
+    const World& its = *part.world;
+    const auto look_at = [&](Slot slot) {
+      const Vec3 apart = its.unfolded_position(slot, now) - center;
+      if (is_inside(apart, its.radius(slot, now)) && filter.accepts(part, slot))
+        found.push_back(its.id(slot));
+    };
+    const Extent extent{center - half, center + half};
+    if (is_scan_cheaper(part, extent)) {
+      for_each_sphere(part, look_at);
+      continue;
+    }
+    const BroadPhase::VisitSlots look_at_all = [&](std::span<const Slot> slots) {
+      for (const Slot slot : slots) look_at(slot);
+    };
+    part.phase->visit_cells(cells_of(*part.phase->search_cells(), extent), look_at_all);
+    part.phase->visit_hollow(look_at_all);
+  }
+  std::ranges::sort(found);
+  const auto rest = std::ranges::unique(found);
+  found.erase(rest.begin(), rest.end());
+  return found;
 }
 
-std::optional<Clearance> clearance(const World& world, const Time& now, SphereId id) {
+}  // namespace
+
+std::optional<NextContact> first_contact(const SphereSearch& search, const Time& now, SphereId id,
+                                         const Vec3& velocity, const Time& until) {
+  const World& world = search.world();
   const Slot slot = world.slot_of(id);
-  return clearance_of(world, now, world.position(slot, now), world.radius(slot, now), slot);
+  world.check_velocity(id, velocity);
+  const Path path{world.position(slot, now), velocity, now};
+  const auto passes = [&](const World& its, Slot other) {
+    return world.interactions().pass(world.species(slot), its.species(other)) ||
+           (world.is_kinematic(slot) && its.is_kinematic(other));
+  };
+  return first_contact_on(search, id, path, world.base_radius(slot), passes, until);
+}
+
+std::optional<NextContact> first_contact(const SphereSearch& search, const Time& now, const Sphere& sphere,
+                                         const Time& until) {
+  const World& world = search.world();
+  world.check(sphere);
+  Path path{sphere.position, sphere.velocity, now};
+  world.box().fold(path.position);
+  const auto passes = [&](const World& its, Slot other) {
+    return world.interactions().pass(sphere.species, its.species(other)) ||
+           (std::isinf(sphere.mass) && its.is_kinematic(other));
+  };
+  return first_contact_on(search, kNoSphere, path, sphere.radius, passes, until);
+}
+
+std::optional<RayHit> ray(const SphereSearch& search, const Time& now, const Vec3& origin,
+                          const Vec3& direction, double most, const BodyFilter& filter) {
+  const Path path = path_of_ray(search.world(), now, origin, direction, most);
+  First first;
+  double end = most;
+  const auto record = [&](const First& hit) {
+    first.record(hit);
+    end = std::min(end, hit.time.high);
+  };
+  search_along(search, now, path, end, filter, record);
+  if (!(first.time < kNever)) return std::nullopt;
+  return hit_of(search.world(), now, path, first);
+}
+
+std::vector<RayHit> ray_hits(const SphereSearch& search, const Time& now, const Vec3& origin,
+                             const Vec3& direction, double most, const BodyFilter& filter) {
+  const Path path = path_of_ray(search.world(), now, origin, direction, most);
+  const World& world = search.world();
+  std::vector<First> found;
+  double end = most;
+  search_along(search, now, path, end, filter, [&](const First& hit) {
+    found.push_back(hit);
+    const bool ends =
+        hit.kind == EventKind::wall &&
+        (hit.body < kFaces || !std::holds_alternative<Obstacle>(world.surface(hit.body).shape()));
+    if (ends) end = std::min(end, hit.time.high);
+  });
+  const auto order = [](const First& hit) { return std::tie(hit.time, hit.kind, hit.body); };
+  std::ranges::sort(found, {}, order);
+  const auto rest = std::ranges::unique(found, {}, order);
+  found.erase(rest.begin(), rest.end());
+  std::vector<RayHit> hits;
+  for (const First& hit : found) {
+    if (hit.time.high <= end) hits.push_back(hit_of(world, now, path, hit));
+  }
+  return hits;
+}
+
+std::optional<Clearance> clearance(const SphereSearch& search, const Time& now, const Vec3& point,
+                                   const BodyFilter& filter) {
+  return clearance_of(search, now, folded(search.world().box(), point, now, "clearance"), 0, kNoSphere,
+                      filter);
+}
+
+std::optional<Clearance> clearance(const SphereSearch& search, const Time& now, SphereId id,
+                                   const BodyFilter& filter) {
+  const World& world = search.world();
+  const Slot slot = world.slot_of(id);
+  return clearance_of(search, now, world.position(slot, now), world.radius(slot, now), id, filter);
+}
+
+std::vector<SphereId> overlap(const SphereSearch& search, const Time& now, const Vec3& center, double radius,
+                              const BodyFilter& filter) {
+  check_size(radius, "the radius", "overlap");
+  const Box& box = search.world().box();
+  const Vec3 half{radius, radius, radius};
+  return overlap_with(search, now, center, half, filter, [&](const Vec3& apart, double its_radius) {
+    const Vec3 nearest = shortest_image(box, apart, now);
+    const double reach = radius + its_radius;
+    return dot(nearest, nearest) < reach * reach;
+  });
+}
+
+std::vector<SphereId> overlap(const SphereSearch& search, const Time& now, const Extent& extent,
+                              const BodyFilter& filter) {
+  constexpr const char* kWhere = "overlap";
+  check_vector(extent.low, "a coordinate", kWhere);
+  check_vector(extent.high, "a coordinate", kWhere);
+  const Vec3 half = 0.5 * (extent.high - extent.low);
+  const Box& box = search.world().box();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    check_size(half[axis], "half the size of the extent", kWhere);
+    if (box.is_periodic(axis) && 2 * half[axis] > box.size()[axis]) {
+      throw Error("the extent is larger than the periodic box", kWhere, "give one that is not");
+    }
+  }
+  return overlap_with(search, now, extent.low + half, half, filter, [&](const Vec3& apart, double radius) {
+    return overlaps_extent(box, apart, radius, half, now);
+  });
 }
 
 }  // namespace hardball

@@ -13,7 +13,7 @@ namespace hardball {
 namespace {
 
 void read_placement(const Section& section, SphereGroup& group) {
-  section.refuse_both("placement", "positions");
+  section.refuse_both("placement", "positions", "remove one of the two", "placement");
   if (const auto positions = section.find("positions")) {
     group.placement = Placement::listed;
     group.positions = positions->vectors(group.dimensions);
@@ -57,7 +57,8 @@ void read_velocities(const Section& section, SphereGroup& group) {
 // The number of spheres that fill a part of the box.
 std::size_t read_packing_fraction(const Section& section, const Value& fraction, const SphereGroup& group,
                                   const Scenario& scenario) {
-  for (const char* const other : {"count", "positions"}) section.refuse_both("packing_fraction", other);
+  for (const char* const other : {"count", "positions"})
+    section.refuse_both("packing_fraction", other, "remove one of the two", "packing_fraction");
   if (scenario.packing_fraction) {
     throw Error("the box and the spheres both have a packing_fraction", fraction.location(),
                 "give count here, from which the box follows, or give the box a size");
@@ -174,7 +175,7 @@ SphereGroup read_spheres(const Section& section, const std::filesystem::path& fo
   if (const auto kinematic = section.find("kinematic")) group.is_kinematic = kinematic->truth();
   if (group.is_kinematic)
     section.refuse_both("mass", "kinematic",
-                        "remove one of the two: the mass of kinematic spheres is infinite");
+                        "remove one of the two: the mass of kinematic spheres is infinite", "mass");
   return group;
 }
 

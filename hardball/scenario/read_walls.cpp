@@ -29,7 +29,7 @@ Shape read_oscillation(const Section& section, const Shape& plane) {
   if (!section.find("amplitude") && !section.find("frequency")) return plane;
   for (const char* const oscillation : {"amplitude", "frequency"})
     section.refuse_both("velocity", oscillation,
-                        "a plane either moves evenly or oscillates; remove one of the two");
+                        "a plane either moves evenly or oscillates; remove one of the two", "velocity");
   return oscillating(plane, section.need("amplitude").number(), section.need("frequency").number());
 }
 

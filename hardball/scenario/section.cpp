@@ -227,11 +227,11 @@ Value Section::need(std::string_view key, std::string_view alternative) const {
                   (alternative.empty() ? "" : ", or " + std::string(alternative)));
 }
 
-void Section::refuse_both(std::string_view first, std::string_view second, const char* remedy) const {
-  const std::optional<Value> given = find(second);
-  if (!given || !find(first)) return;
-  throw Error("both " + std::string(first) + " and " + std::string(second) + " are given", given->location(),
-              remedy);
+void Section::refuse_both(std::string_view first, std::string_view second, const char* remedy,
+                          std::string_view removed) const {
+  if (!find(first) || !find(second)) return;
+  throw Error("both " + std::string(first) + " and " + std::string(second) + " are given",
+              need(removed.empty() ? second : removed).location(), remedy);
 }
 
 std::optional<Section> Section::section(std::string_view key) const {

@@ -74,9 +74,9 @@ class Section {
   std::optional<Value> find(std::string_view key) const;
   /// Error: there is no such key, of which `alternative` names another that would do, if there is one.
   Value need(std::string_view key, std::string_view alternative = "") const;
-  /// Error, with the location of the second: both keys are given.
+  /// Error, with the location of the second, or of another that is to be removed: both keys are given.
   void refuse_both(std::string_view first, std::string_view second,
-                   const char* remedy = "remove one of the two") const;
+                   const char* remedy = "remove one of the two", std::string_view removed = "") const;
   /// Gives the members of an object the values of their fields; those that may be left out, and are, keep
   /// theirs. Error: a value is missing, or as of Value.
   template <class Type>

@@ -27,6 +27,7 @@
 #include "hardball/run/actors.hpp"
 #include "hardball/run/engine_options.hpp"
 #include "hardball/run/observer.hpp"
+#include "hardball/simulation/body_mask.hpp"
 #include "hardball/simulation/sphere_handle.hpp"
 #include "hardball/thermostats/thermostat.hpp"
 #include "hardball/world/audit.hpp"
@@ -163,23 +164,46 @@ class HARDBALL_EXPORT Simulation {
                                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
   /// What a sphere would hit first up to `until` [T] if it had this velocity [L/T], and no other changed its
-  /// motion; see first_contact (queries.hpp). Error: as there. Cost: O(n), as of the three that follow.
+  /// motion; see first_contact (queries.hpp). Error: as there. Cost: as there, as of the queries that follow;
+  /// engines with cells have them, but while several processes share the simulation, or after next_contact,
+  /// positions_at and edits that it has not run on from yet, queries look at all spheres.
   std::optional<NextContact> first_contact(SphereId id, const Vec3& velocity, double until) const {
-    return hardball::first_contact(world(), now_, id, velocity, Time(until));
+    return hardball::first_contact(search(), now_, id, velocity, Time(until));
   }
   /// What a sphere that is not among them would hit first up to `until` [T].
   std::optional<NextContact> first_contact(const Sphere& sphere, double until) const {
-    return hardball::first_contact(world(), now_, sphere, Time(until));
+    return hardball::first_contact(search(), now_, sphere, Time(until));
   }
   /// What a ray hits first now, up to `most` [L] from its origin; see ray (queries.hpp).
-  std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double most) const {
-    return hardball::ray(world(), now_, origin, direction, most);
+  std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double most,
+                            const BodyMask& mask = {}) const {
+    return hardball::ray(search(), now_, origin, direction, most, filter_of(mask));
+  }
+  /// What each of many rays hits first now, in their order; shape (count). `threads` of them work. Error: as
+  /// for ray; there are not as many directions as origins.
+  std::vector<std::optional<RayHit>> rays(std::span<const Vec3> origins, std::span<const Vec3> directions,
+                                          double most, const BodyMask& mask = {},
+                                          std::size_t threads = 1) const;
+  /// All that a ray enters now, in the order of distances; see ray_hits (queries.hpp).
+  std::vector<RayHit> ray_hits(const Vec3& origin, const Vec3& direction, double most,
+                               const BodyMask& mask = {}) const {
+    return hardball::ray_hits(search(), now_, origin, direction, most, filter_of(mask));
   }
   /// The sphere or wall nearest to a point now, or to a sphere; see clearance (queries.hpp).
-  std::optional<Clearance> clearance(const Vec3& point) const {
-    return hardball::clearance(world(), now_, point);
+  std::optional<Clearance> clearance(const Vec3& point, const BodyMask& mask = {}) const {
+    return hardball::clearance(search(), now_, point, filter_of(mask));
   }
-  std::optional<Clearance> clearance(SphereId id) const { return hardball::clearance(world(), now_, id); }
+  std::optional<Clearance> clearance(SphereId id, const BodyMask& mask = {}) const {
+    return hardball::clearance(search(), now_, id, filter_of(mask));
+  }
+  /// The spheres that overlap a ball of this radius [L], or a box, now, in the order of ids; see overlap
+  /// (queries.hpp).
+  std::vector<SphereId> overlap(const Vec3& center, double radius, const BodyMask& mask = {}) const {
+    return hardball::overlap(search(), now_, center, radius, filter_of(mask));
+  }
+  std::vector<SphereId> overlap(const Extent& extent, const BodyMask& mask = {}) const {
+    return hardball::overlap(search(), now_, extent, filter_of(mask));
+  }
 
   double time() const { return now_.value(); }  ///< [T]
   const Time& now() const { return now_; }
@@ -324,6 +348,8 @@ class HARDBALL_EXPORT Simulation {
   void edit_velocities(std::span<const VelocityEdit> edits, Measures* measures);
   void tell_of_changes(const Time& moment, std::span<const NewVelocity> changes, Measures* measures);
   void tell_of_epoch(const Growth& epoch);
+  SphereSearch search() const;
+  BodyFilter filter_of(const BodyMask& mask) const;
   void check_idle(const char* what) const;
   void check_editable(const char* what) const;
   void check_not_growing(const char* what) const;
@@ -334,6 +360,7 @@ class HARDBALL_EXPORT Simulation {
   ContactSums sums_;
   ValuePointer<UserData> user_data_;
   Actors actors_;
+  LazySpeedLimits speeds_;
   Observer observer_;
   Function<void(const Contact&)> listener_;
   std::optional<Function<void(const Contact&)>> next_listener_;  // set by the listener itself

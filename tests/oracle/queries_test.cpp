@@ -7,9 +7,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
+#include <vector>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/images.hpp"
@@ -494,6 +497,333 @@ TEST(Queries, RaysHitSpheresThatGrowWhereTheyAreNow) {
   EXPECT_DOUBLE_EQ(ray(world, Time(5), {}, {1, 0, 0}, 10)->distance, 2.5);
   EXPECT_FALSE(ray(world, Time(0), {0, 1.2, 0}, {1, 0, 0}, 10));
   EXPECT_TRUE(ray(world, Time(5), {0, 1.2, 0}, {1, 0, 0}, 10));
+}
+
+TEST(Queries, AllHitsOfARayAreThoseOfSimpleEquations) {
+  std::uint64_t found = 0;
+  in_random_worlds(1, [&](const Simulation& simulation, double, Random& random) {
+    const World& world = simulation.world();
+    const Time& now = simulation.now();
+    const double extent = extent_of(world, now);
+    const std::optional<Vec3> point = some_free_point(world, now, random);
+    if (!point) return;
+    const Vec3 direction = random.direction();
+    const double most = std::min(3 * shortest_period(world.box()), 4 * extent);
+    const std::vector<RayHit> hits = simulation.ray_hits(*point, direction, most);
+    const std::optional<RayHit> first = simulation.ray(*point, direction, most);
+    ASSERT_EQ(first.has_value(), !hits.empty());
+    if (!first) return;
+    ASSERT_EQ(first->distance, hits.front().distance);
+    ASSERT_EQ(first->body, hits.front().body);
+    ASSERT_TRUE(std::ranges::is_sorted(hits, {}, &RayHit::distance));
+    const double tolerance = 1e-9 * (extent + most);
+    const auto is_end = [&](EventKind kind, std::uint32_t body) {
+      return kind == EventKind::wall &&
+             (body < kFaces || !std::holds_alternative<Obstacle>(world.surface(body).shape()));
+    };
+    const std::vector<SlowHit> slow_ones = slow_hits(world, now, *point, direction);
+    long double end = most;
+    for (const SlowHit& slow : slow_ones)
+      if (is_end(slow.kind, slow.body)) end = std::min(end, slow.distance);
+    const auto are_same = [&](const SlowHit& slow, const RayHit& hit) {
+      return slow.kind == hit.kind && slow.body == hit.body &&
+             std::fabs(slow.distance - hit.distance) <= tolerance;
+    };
+    for (const RayHit& hit : hits) {
+      ASSERT_LE(hit.distance, end + tolerance);
+      ASSERT_TRUE(std::ranges::any_of(slow_ones, [&](const SlowHit& slow) { return are_same(slow, hit); }));
+    }
+    for (const SlowHit& slow : slow_ones) {
+      if (slow.distance > end - tolerance) continue;
+      ASSERT_TRUE(std::ranges::any_of(hits, [&](const RayHit& hit) { return are_same(slow, hit); }));
+      ++found;
+    }
+  });
+  EXPECT_GT(found, support::cases(kWorlds) / 4);
+}
+
+// How far the surface of a sphere is from a box, by trial of all images nearby.
+double slow_distance_to_extent(const World& world, const Time& now, Slot slot, const Extent& extent) {
+  double least = kInfinity;
+  Vec3 place = world.position(slot, now);
+  world.box().fold(place);
+  for_each_image(world.box(), 3, [&](const Image& image) {
+    Vec3 beyond = place + world.box().shift(image);
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      beyond[axis] -= std::clamp(beyond[axis], extent.low[axis], extent.high[axis]);
+    least = std::min(least, length(beyond) - world.base_radius(slot));
+  });
+  return least;
+}
+
+TEST(Queries, OverlapsAreThoseOfAllImages) {
+  std::uint64_t found = 0;
+  std::uint64_t missed = 0;
+  in_random_worlds(1, [&](const Simulation& simulation, double, Random& random) {
+    const World& world = simulation.world();
+    const Time& now = simulation.now();
+    const double tolerance = 1e-9 * extent_of(world, now);
+    for (int i = 0; i < kQueriesPerWorld; ++i) {
+      const auto middle = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
+      Vec3 center =
+          world.position(middle, now) + (3 * world.largest_radius() * random.uniform()) * random.direction();
+      world.box().fold(center);
+      const double radius = 2 * world.largest_radius() * random.uniform();
+      Vec3 half = world.largest_radius() * Vec3{random.uniform(), random.uniform(), random.uniform()};
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        if (world.box().is_periodic(axis)) half[axis] = std::min(half[axis], world.box().size()[axis] / 2);
+      }
+      const Extent extent{center - half, center + half};
+      const std::vector<SphereId> in_ball = simulation.overlap(center, radius);
+      const std::vector<SphereId> in_box = simulation.overlap(extent);
+      ASSERT_TRUE(std::ranges::is_sorted(in_ball));
+      for (Slot slot = 0; slot < world.size(); ++slot) {
+        const double to_ball = slow_distance_to_extent(world, now, slot, {center, center}) - radius;
+        const double to_box = slow_distance_to_extent(world, now, slot, extent);
+        const auto has = [&](const std::vector<SphereId>& ids) {
+          return std::ranges::binary_search(ids, world.id(slot));
+        };
+        if (std::fabs(to_ball) > tolerance) {
+          ASSERT_EQ(has(in_ball), to_ball < 0);
+        }
+        if (std::fabs(to_box) > tolerance) {
+          ASSERT_EQ(has(in_box), to_box < 0);
+        }
+        ++(to_box < 0 ? found : missed);
+      }
+    }
+  });
+  EXPECT_GT(found, support::cases(kWorlds));
+  EXPECT_GT(missed, support::cases(kWorlds));
+}
+
+// Each kind of change that may outdate what queries know, and then queries.
+TEST(Queries, FollowEveryChange) {
+  for (std::uint64_t seed = 0; seed < support::cases(100); ++seed) {
+    RandomWorld made = support::make_random_gas(
+        seed,
+        seed % 2 == 0 ? std::array{Boundary::periodic, Boundary::periodic, Boundary::periodic}
+                      : std::array{Boundary::wall, Boundary::wall, Boundary::open},
+        300);
+    if (made.restitution < 1) continue;  // so that nothing collapses
+    Random random(seed);
+    SCOPED_TRACE(made.name);
+    EngineOptions options;
+    options.engine = seed % 3 == 0 ? EngineKind::neighbors : EngineKind::cells;
+    options.threads = seed % 5 == 0 ? 2 : 1;
+    Simulation simulation(made.world, options);
+    for (int change = 0; change < 20; ++change) {
+      const World& world = simulation.world();
+      const auto any_id = [&] {
+        return simulation.world().id(
+            static_cast<Slot>(random.uniform() * static_cast<double>(simulation.size())));
+      };
+      const double speed = fastest(world, simulation.now());
+      switch (static_cast<int>(6 * random.uniform())) {
+        case 0:
+          simulation.run_until(simulation.time() + 0.1 * made.until * random.uniform());
+          break;
+        case 1:
+          simulation.change_velocity(any_id(), (10 * speed) * random.direction());
+          break;
+        case 2:
+          simulation.remove(any_id());
+          break;
+        case 3:
+          static_cast<void>(simulation.next_contact(simulation.time() + made.until));
+          break;
+        case 4:
+          static_cast<void>(simulation.contacts_within(0.01 * made.until));
+          break;
+        default:
+          simulation.run_contacts(3, simulation.time() + made.until);
+      }
+      for (int i = 0; i < 5; ++i) {
+        const World& now_in = simulation.world();
+        const SphereId id = any_id();
+        const Vec3 velocity = speed * random.direction();
+        const double until = simulation.time() + 0.1 * made.until;
+        ASSERT_EQ(simulation.first_contact(id, velocity, until),
+                  first_contact(now_in, simulation.now(), id, velocity, Time(until)));
+        const Vec3 point = simulation.position(id) + (3 * world.largest_radius()) * random.direction();
+        const double most = 20 * world.largest_radius();
+        const std::optional<RayHit> hit = simulation.ray(point, velocity, most);
+        const std::optional<RayHit> expected = ray(now_in, simulation.now(), point, velocity, most);
+        ASSERT_EQ(hit.has_value(), expected.has_value());
+        if (hit) {
+          ASSERT_EQ(hit->distance, expected->distance);
+          ASSERT_EQ(hit->body, expected->body);
+        }
+        ASSERT_EQ(simulation.clearance(id)->distance, clearance(now_in, simulation.now(), id)->distance);
+      }
+    }
+  }
+}
+
+TEST(Queries, OverlapsKnowImagesThatSlide) {
+  std::uint64_t found = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(200); ++seed) {
+    const RandomWorld made = support::make_sheared_world(seed);
+    if (made.world.size() == 0) continue;
+    SCOPED_TRACE(made.name);
+    Simulation simulation(made.world);
+    simulation.run({.until = Time(made.until), .contacts = 40});
+    const World& world = simulation.world();
+    const Time& now = simulation.now();
+    const Box& box = world.box();
+    Random random(seed);
+    const double tolerance = 1e-9 * (box.size().x + box.size().y);
+    const auto along = [&](std::size_t axis) { return box.is_flat() && axis == 2 ? 0 : random.uniform(); };
+    const Slot any = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
+    const Vec3 center =
+        world.position(any, now) + world.largest_radius() * Vec3{along(0), along(1), along(2)};
+    Vec3 half = world.largest_radius() * Vec3{along(0), 2 * along(1), along(2)};
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      half[axis] = std::min(half[axis], 0.5 * box.size()[axis]);
+    const std::vector<SphereId> ids = simulation.overlap(Extent{center - half, center + half});
+    for (Slot slot = 0; slot < world.size(); ++slot) {
+      double least = kInfinity;
+      for (int row = -12; row <= 12; ++row) {
+        const Vec3 apart = world.position(slot, now) + box.shift({{0, row, 0}}, now) - center;
+        const double x = std::remainder(apart.x, box.period().x);
+        const double z = box.is_periodic(2) ? std::remainder(apart.z, box.period().z) : apart.z;
+        const auto beyond = [](double distance, double end) {
+          return std::max(0.0, std::fabs(distance) - end);
+        };
+        least = std::min(least, std::hypot(beyond(x, half.x), beyond(apart.y, half.y), beyond(z, half.z)));
+      }
+      const double gap = least - world.base_radius(slot);
+      if (std::fabs(gap) < tolerance) continue;
+      ASSERT_EQ(std::ranges::binary_search(ids, world.id(slot)), gap < 0);
+      found += gap < 0 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(found, support::cases(200) / 4);
+}
+
+// A thousand spheres at rest, and one more that is not, by its id.
+struct Still {
+  Simulation simulation;
+  SphereId moving;
+};
+Still still_spheres(const Vec3& position, const Vec3& velocity) {
+  World world(Box::walls({100, 100, 100}));
+  for (int k = 0; k < 1000; ++k) {
+    const auto place = [](int number) { return 10.0 * number + 5; };
+    world.add({.position = {place(k % 10), place(k / 10 % 10), place(k / 100)}, .radius = 1});
+  }
+  const SphereId moving = world.add({.position = position, .velocity = velocity, .radius = 1});
+  return {Simulation(std::move(world), {.engine = EngineKind::cells, .cell_edge = 5}), moving};
+}
+
+TEST(Queries, AFastSphereIsSeenFromAfar) {
+  Still still = still_spheres({10, 10, 10}, {0, 0, 1000});
+  // It flies between the others, and would hit this one from below, far from where it is.
+  const Sphere sphere{.position = {10, 10, 90}, .radius = 1};
+  const std::optional<NextContact> hit = still.simulation.first_contact(sphere, 1);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->second, still.moving);
+  EXPECT_DOUBLE_EQ(hit->time, 78.0 / 1000);
+}
+
+TEST(Queries, AChangeOfVelocityIsSeenAtOnce) {
+  Still still = still_spheres({10, 10, 10}, {});
+  const Sphere sphere{.position = {10, 10, 90}, .radius = 1};
+  EXPECT_FALSE(still.simulation.first_contact(sphere, 1));
+  still.simulation.change_velocity(still.moving, {0, 0, 1000});
+  const std::optional<NextContact> hit = still.simulation.first_contact(sphere, 1);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->second, still.moving);
+}
+
+TEST(Queries, AreAboutNowWhenTheEngineHasLookedAhead) {
+  Still still = still_spheres({10, 10, 10}, {0, 0, 10});
+  ASSERT_EQ(still.simulation.next_contact(100)->kind, EventKind::wall);
+  const std::optional<RayHit> hit = still.simulation.ray({10, 10, 2}, {0, 0, 1}, 100);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->kind, EventKind::collision);
+  EXPECT_EQ(hit->body, still.moving);
+  EXPECT_EQ(still.simulation.overlap({10, 10, 10}, 0.5), std::vector<SphereId>{still.moving});
+}
+
+// Two spheres that come from either side, at the same time: the lower id is hit, whichever cell is first.
+TEST(Queries, OfSimultaneousContactsTheLowerIdIsFirst) {
+  for (const bool is_upper_first : {false, true}) {
+    // As fast as this one, they are found in cells.
+    Still still = still_spheres({10, 10, 10}, {0, 0, 100});
+    const double side = is_upper_first ? 1 : -1;
+    const SphereId low =
+        still.simulation.add({.position = {50, 50 + 3 * side, 50}, .velocity = {0, -side, 0}});
+    still.simulation.add({.position = {50, 50 - 3 * side, 50}, .velocity = {0, side, 0}});
+    const Sphere sphere{.position = {50, 50, 50}, .radius = 1};
+    EXPECT_EQ(still.simulation.first_contact(sphere, 100)->second, low);
+  }
+}
+
+// A row of spheres along x, of alternating species; spheres 0 to 3 are in groups 1, 2, 3 and none.
+Simulation row_of_spheres() {
+  World world(Box::walls({10, 2, 2}));
+  for (SpeciesId k = 0; k < 4; ++k)
+    world.add({.position = {2.0 * k + 2, 1, 1}, .radius = 0.5, .species = static_cast<SpeciesId>(k % 2)});
+  Simulation simulation(world);
+  simulation.set_user_data(0, 0b01);
+  simulation.set_user_data(1, 0b10);
+  simulation.set_user_data(2, 0b11);
+  return simulation;
+}
+
+TEST(Queries, MasksChooseWhatIsFound) {
+  const Simulation simulation = row_of_spheres();
+  const auto hit = [&](const BodyMask& mask) {
+    const std::optional<RayHit> found = simulation.ray({0.5, 1, 1}, {1, 0, 0}, 20, mask);
+    return found ? static_cast<int>(found->body) : -1;
+  };
+  EXPECT_EQ(hit({}), 0);
+  EXPECT_EQ(hit({.species = {1}}), 1);
+  EXPECT_EQ(hit({.groups = 0b10}), 1);
+  EXPECT_EQ(hit({.species = {0}, .groups = 0b10}), 2);
+  EXPECT_EQ(hit({.species = {2}}), static_cast<int>(face_of(0, true)));
+  EXPECT_EQ(hit({.species = {2}, .walls = false}), -1);
+  EXPECT_EQ(simulation.overlap({5, 1, 1}, 5, {.groups = 0b01}), (std::vector<SphereId>{0, 2}));
+  EXPECT_EQ(simulation.overlap(Extent{{0, 0, 0}, {5, 2, 2}}, {.species = {1}}), (std::vector<SphereId>{1}));
+  EXPECT_EQ(simulation.clearance(Vec3{2, 1, 1}, {.species = {1}, .walls = false})->body, 1U);
+  EXPECT_EQ(simulation.clearance(SphereId{0}, {.groups = 0b11, .walls = false})->body, 1U);
+  std::vector<std::uint32_t> bodies;
+  for (const RayHit& each : simulation.ray_hits({0.5, 1, 1}, {1, 0, 0}, 20, {.species = {1}}))
+    bodies.push_back(each.body);
+  EXPECT_EQ(bodies, (std::vector<std::uint32_t>{1, 3, face_of(0, true)}));
+}
+
+TEST(Queries, ManyRaysAreAsManySingleOnes) {
+  const RandomWorld made =
+      support::make_random_gas(3, {Boundary::wall, Boundary::periodic, Boundary::wall}, 500);
+  const Simulation simulation(made.world);
+  const World& world = simulation.world();
+  Random random(4);
+  std::vector<Vec3> origins;
+  std::vector<Vec3> directions;
+  for (int i = 0; i < 1000; ++i) {
+    origins.push_back(
+        world.position(static_cast<Slot>(random.uniform() * static_cast<double>(world.size())), Time(0)));
+    directions.push_back(random.direction());
+  }
+  const double most = 30 * world.largest_radius();
+  for (const std::size_t threads : {1U, 3U}) {
+    const std::vector<std::optional<RayHit>> hits = simulation.rays(origins, directions, most, {}, threads);
+    ASSERT_EQ(hits.size(), origins.size());
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const std::optional<RayHit> single = simulation.ray(origins[i], directions[i], most);
+      ASSERT_EQ(hits[i].has_value(), single.has_value());
+      if (single) {
+        ASSERT_EQ(hits[i]->distance, single->distance);
+      }
+    }
+  }
+  EXPECT_TRUE(simulation.rays({}, {}, most).empty());
+  EXPECT_THROW(static_cast<void>(simulation.rays(origins, {}, most)), Error);
+  EXPECT_THROW(static_cast<void>(simulation.rays(origins, directions, most, {}, 0)), Error);
+  directions.back() = {};
+  EXPECT_THROW(static_cast<void>(simulation.rays(origins, directions, most, {}, 2)), Error);
 }
 
 }  // namespace
