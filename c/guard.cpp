@@ -81,10 +81,10 @@ std::uint32_t hb_abi() {
 
 const char* hb_version() {
   // So short a string takes no memory that could be missing.
-  static const std::string version = hardball::to_text(HARDBALL_VERSION_MAJOR) + "." +
-                                     hardball::to_text(HARDBALL_VERSION_MINOR) + "." +
-                                     hardball::to_text(HARDBALL_VERSION_PATCH);
-  return version.c_str();
+  static const std::string kVersion = hardball::to_text(HARDBALL_VERSION_MAJOR) + "." +
+                                      hardball::to_text(HARDBALL_VERSION_MINOR) + "." +
+                                      hardball::to_text(HARDBALL_VERSION_PATCH);
+  return kVersion.c_str();
 }
 
 const hb_error* hb_last_error() {
