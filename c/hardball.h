@@ -130,12 +130,12 @@ enum {
 /// A wall or an obstacle.
 typedef struct hb_surface {
   size_t struct_size;
-  double point[3];   ///< Of the plane, on the axis, the apex or the center, at time zero [L].
+  double point[3];   ///< A point of the plane or on the axis, the apex or the center, at time zero [L].
   double normal[3];  ///< Plane: a vector of any length, toward the spheres.
   double axis[3];    ///< Cylinder, cone: a vector of any length along the axis; from the apex into the cone.
   double radius;     ///< Cylinder, sphere, obstacle [L].
   double slope;      ///< Cone: its radius over the distance from its apex [1].
-  double velocity[3];  ///< Of the whole surface [L/T].
+  double velocity[3];  ///< The velocity of the whole surface [L/T].
   double amplitude;    ///< Plane: how far it oscillates along its normal [L]; zero if it does not.
   double frequency;    ///< Plane: that of the oscillation [1/T].
   double restitution;  ///< [1]; HB_ABSENT for that of the setting.
@@ -152,7 +152,7 @@ typedef struct hb_surface {
 /// What surrounds the spheres: by default, open space.
 typedef struct hb_setting {
   size_t struct_size;
-  double size[3];              ///< Of the box [L]; ignored along open and flat axes.
+  double size[3];              ///< The edges of the box [L]; ignored along open and flat axes.
   double gravity[3];           ///< The acceleration of all spheres [L/T^2].
   double restitution;          ///< The coefficient of all contacts [1]; one is elastic.
   double elastic_below;        ///< Slower impacts are elastic [L/T].

@@ -185,10 +185,9 @@ hb_status hb_world_add_many(hb_world* world, const hb_spheres* spheres, hb_id* f
     const SphereRows rows(arrays);
     for (std::size_t row = 0; row < arrays.count; ++row) check_row(to, rows, row);
     to.reserve(to.size() + arrays.count);
-    for (std::size_t row = 0; row < arrays.count; ++row) {
-      const hb_id added = to.add(rows[row]);
-      if (row == 0 && first_id != nullptr) *first_id = added;
-    }
+    hb_id last = 0;
+    for (std::size_t row = 0; row < arrays.count; ++row) last = to.add(rows[row]);
+    if (arrays.count > 0 && first_id != nullptr) *first_id = static_cast<hb_id>(last - (arrays.count - 1));
   });
 }
 
