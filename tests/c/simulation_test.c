@@ -150,7 +150,14 @@ static void options_change_no_history(void) {
   one = gas();
   OK(hb_run_until(one, 1));
   OK(hb_set_threads(one, 2));
-  OK(hb_run_until(one, 2));
+  OK(hb_keep_contacts(one, 1));
+  {
+    const uint64_t before = hb_collisions(one);
+    size_t count = 0;
+    OK(hb_run_until(one, 2));
+    hb_contacts(one, &count);
+    CHECK(count > 0 && count == hb_collisions(one) - before);
+  }
   CHECK(hb_hash(one) == hash);
   CHECK(hb_set_threads(one, 5000) == HB_BAD_INPUT);
   REFUSED(hb_set_threads(NULL, 1), "NULL", "simulation");
