@@ -20,7 +20,7 @@ class BuildWithCMake(build_ext):
         build = Path(self.build_temp).resolve()
         options = ["-G", "Ninja"] if shutil.which("ninja") else []
         options += ["-DCMAKE_BUILD_TYPE=Release", "-DHARDBALL_PYTHON_PACKAGE=ON", f"-DHARDBALL_PYTHON_FOLDER={folder}"]
-        options += [f"-DHARDBALL_{part}=OFF" for part in ("APPS", "EXAMPLES", "TESTS", "INSTALL", "PYTHON_LINKS")]
+        options += [f"-DHARDBALL_{part}=OFF" for part in ("APPS", "C", "EXAMPLES", "TESTS", "INSTALL", "PYTHON_LINKS")]
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *options], check=True)
         subprocess.run(
             ["cmake", "--build", build, "--target", "hardball_python", "--parallel", str(os.cpu_count() or 1)],

@@ -1,14 +1,18 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
 
-# Installs the library so that find_package(hardball) provides the target hardball::hardball, and pkg-config knows it;
-# the program with its manual and completions; scenarios and the pages about them.
+# Installs the libraries so that find_package(hardball) provides the targets hardball::hardball, hardball::c and
+# hardball::c_static, and pkg-config knows them; the program with its manual and completions; scenarios and the pages about them.
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/hardball)
 set(pkg_config_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-install(TARGETS hardball_library EXPORT hardball LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+set(installed_libraries hardball_library)
+if(HARDBALL_C)
+  list(APPEND installed_libraries hardball_c hardball_c_static)
+endif()
+install(TARGETS ${installed_libraries} EXPORT hardball LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(CODE "set(source \"${PROJECT_SOURCE_DIR}\")
 set(destination \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")")
@@ -35,6 +39,11 @@ endif()
 file(RELATIVE_PATH prefix_from_here /${pkg_config_folder} /)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/hardball.pc.in ${PROJECT_BINARY_DIR}/hardball.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/hardball.pc DESTINATION ${pkg_config_folder})
+if(HARDBALL_C)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/hardball-c.pc.in ${PROJECT_BINARY_DIR}/hardball-c.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/hardball-c.pc DESTINATION ${pkg_config_folder})
+  install(FILES ${PROJECT_SOURCE_DIR}/c/hardball.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endif()
 
 file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
 file(GLOB scenarios CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/scenarios/*)

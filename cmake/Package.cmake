@@ -14,6 +14,14 @@ set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/complete.cmake)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
+# The shared library of the C API: programs that link it depend on this package, and the loader finds it.
+if(HARDBALL_C)
+  get_target_property(abi hardball_c SOVERSION)
+  file(WRITE ${PROJECT_BINARY_DIR}/debian/shlibs "libhardball_c ${abi} hardball\n")
+  file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/shlibs ${PROJECT_BINARY_DIR}/debian/triggers)
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+endif()
 # What the library links, to which the script above adds what the program needs.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libzstd-dev)
 # The program opens a browser, and mpirun starts several processes of it, for which the script adds MPI; the library is
@@ -28,5 +36,5 @@ walls of many shapes, and gives the same history, bit for bit, whatever affects
 its speed.
 .
 This package has the program with its viewer, scenarios to start from, and the
-static C++20 library with its headers.")
+C++20 library, static, with its headers, and the library for C, shared.")
 include(CPack)

@@ -15,18 +15,21 @@ file(WRITE ${changelog}
  -- ${CPACK_PACKAGE_CONTACT}  ${date}
 ")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/lintian-overrides ${installed}/share/lintian/overrides/hardball COPYONLY)
-file(GLOB_RECURSE plugins ${installed}/lib/*.so)
-file(GLOB_RECURSE binaries ${installed}/lib/*.a ${installed}/bin/*)
-execute_process(COMMAND strip --strip-debug --remove-section=.comment --enable-deterministic-archives ${binaries} ${plugins}
+file(GLOB_RECURSE plugins ${installed}/lib/hardball/*.so ${installed}/lib/*/hardball/*.so)
+file(GLOB_RECURSE shared ${installed}/lib/*.so.?)
+file(GLOB_RECURSE archives ${installed}/lib/*.a)
+execute_process(COMMAND strip --strip-debug --remove-section=.comment --enable-deterministic-archives
+                        ${archives} ${shared} ${plugins} ${installed}/bin/hardball
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND gzip -9nf ${changelog} ${installed}/share/man/man1/hardball.1 COMMAND_ERROR_IS_FATAL ANY)
 
-# The program depends on the libraries that it links, and does without those that only its plug-ins link.
+# The program and the shared library depend on the libraries that they link, and do without those that only plug-ins
+# link.
 set(description ${CPACK_TOPLEVEL_DIRECTORY}/description)
 file(WRITE ${description}/debian/control "Source: hardball\n\nPackage: hardball\nArchitecture: any\n")
 # It looks for the folder of a package.
 file(MAKE_DIRECTORY ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/DEBIAN)
-execute_process(COMMAND dpkg-shlibdeps -O -dDepends ${installed}/bin/hardball -dSuggests ${plugins}
+execute_process(COMMAND dpkg-shlibdeps -O -dDepends ${installed}/bin/hardball ${shared} -dSuggests ${plugins}
                 WORKING_DIRECTORY ${description} OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
 file(REMOVE_RECURSE ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/DEBIAN)
 foreach(relation Depends Suggests)

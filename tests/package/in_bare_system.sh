@@ -14,7 +14,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 chmod 755 "$scratch"
 mkdir "$scratch/package"
-cp -r "$1" "$tests/package/use.sh" "$tests/structure/consumer" "$scratch/package"
+cp -r "$1" "$tests/package/use.sh" "$tests/structure/consumer" "$tests/../examples/game_loop.c" \
+  "$tests/../examples/expected/game_loop.txt" "$scratch/package"
 
 # Nothing of this machine's environment may help. What is written need not survive a crash.
 status=0

@@ -60,6 +60,8 @@ cmake -S consumer -B built >cmake.log && cmake --build built >>cmake.log || { ca
 built/consumer
 g++ consumer/main.cpp $(pkg-config --cflags --libs hardball) -o consumer.pkg-config
 ./consumer.pkg-config
+gcc -std=c99 game_loop.c $(pkg-config --cflags --libs hardball-c) -o game
+prints "$(cat game_loop.txt)" ./game
 
 echo "-- removal"
 apt-get -q -y purge hardball >apt.log

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Checks that the C++ and CMake shown on the pages is taken from programs that are built: the examples and the project
-of tests/structure, indentation and the names of targets and folders aside.
+"""Checks that the C++, C and CMake shown on the pages is taken from programs that are built: the examples, the tests of
+the C API and the projects of tests/structure, indentation and the names of targets and folders aside.
 
 usage: check_snippets.py PROJECT_FOLDER
 """
@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 
-LANGUAGES = {"cpp": "examples/*.cpp", "cmake": "tests/structure/*/CMakeLists.txt"}
+LANGUAGES = {"cpp": ["examples/*.cpp"], "c": ["examples/*.c", "tests/c/*.c"], "cmake": ["tests/structure/*/CMakeLists.txt"]}
 
 
 def normal(code):
@@ -35,7 +35,7 @@ def main():
     pages = [project / "README.md", *sorted(project.glob("docs/*.md"))]
     count = faults = 0
     for language, sources in LANGUAGES.items():
-        programs = [normal(file.read_text()) for file in sorted(project.glob(sources))]
+        programs = [normal(file.read_text()) for pattern in sources for file in sorted(project.glob(pattern))]
         for page in pages:
             for snippet in re.findall(rf"^```{language}\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE):
                 count += 1

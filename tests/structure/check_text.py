@@ -7,7 +7,7 @@ usage: check_text.py PROJECT_FOLDER
 
 A doc comment is shown without its neighbors: in an editor, in the reference of the site, as a docstring. So it may not
 begin with words that refer to the comment before it, nor use the word "like" with "wise" after it. This holds for the comments /// and ///< of
-C++, the docstrings of Python, and those that bindings give to pybind11. Lines of Markdown have at most 160 characters,
+C++ and C, the docstrings of Python, and those that bindings give to pybind11. Lines of Markdown have at most 160 characters,
 except in tables, in code, and where they hold a link.
 """
 
@@ -73,7 +73,7 @@ def check(project):
     """All faults, one line of text each."""
     for file in files_of(project):
         name = file.relative_to(project)
-        if file.suffix in (".hpp", ".cpp"):
+        if file.suffix in (".hpp", ".cpp", ".h"):
             said = list(cpp_comments(file.read_text()))
             if str(name).startswith("python/bindings/"):
                 said += bound_docstrings(file.read_text())
