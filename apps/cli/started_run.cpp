@@ -32,27 +32,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The path of the checkpoint that is kept of a time [T]; its folder is there on return. Error (RunFailure):
-// it cannot be created.
-std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time) {
-  const std::filesystem::path folder = directory / kKeptCheckpoints;
-  std::error_code failure;
-  std::filesystem::create_directory(folder, failure);
-  if (failure) throw RunFailure("cannot create " + folder.string() + ": " + failure.message());
-  return folder / (to_text(time) + kCheckpointEnding);
-}
-
 // Writes a checkpoint of a run that has files. Error (RunFailure): it cannot be written; the one before is
 // kept.
 void write_checkpoint(StartedRun& run, const std::filesystem::path& path) {
   std::vector<CheckpointSection> sections;
-  // Files first: what they lack when the machine stops, no checkpoint refers to.
   in_first(run.processes(), [&] {
-    const FilesState files = run.files->save();
-    sections = {{"run", archived(RunState{run.choice, run.scenario.text, run.scenario.name, run.next_snapshot,
-                                          run.seconds, run.notes})},
-                {"files", archived(files)},
-                {"measures", archived(run.measures)}};
+    sections = sections_of(*run.files, run.choice, run.scenario, run.next_snapshot, run.seconds, run.notes,
+                           run.measures);
   });
   write_checkpoint(run.simulation, path, sections);
 }
@@ -235,6 +221,25 @@ void tell_of_whole_run(const std::filesystem::path& directory, double time, cons
 }
 
 }  // namespace
+
+std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time) {
+  const std::filesystem::path folder = directory / kKeptCheckpoints;
+  std::error_code failure;
+  std::filesystem::create_directory(folder, failure);
+  if (failure) throw RunFailure("cannot create " + folder.string() + ": " + failure.message());
+  return folder / (to_text(time) + kCheckpointEnding);
+}
+
+std::vector<CheckpointSection> sections_of(RunFiles& files, const ScenarioChoice& choice,
+                                           const Scenario& scenario, std::uint64_t next_snapshot,
+                                           const Seconds& seconds, const std::vector<std::string>& notes,
+                                           const Measures& measures) {
+  // Files first: what they lack when the machine stops, no checkpoint refers to.
+  const FilesState state = files.save();
+  return {{"run", archived(RunState{choice, scenario.text, scenario.name, next_snapshot, seconds, notes})},
+          {"files", archived(state)},
+          {"measures", archived(measures)}};
+}
 
 void open_files(StartedRun& run, bool overwrites) {
   if (!run.directory) return;
