@@ -28,8 +28,15 @@ void throw_if_interrupted(std::size_t count) {
 }
 
 void set_velocities(PythonSimulation& self, const ArrayLike& ids, const ArrayLike& velocities) {
+  const bool is_flat = self.simulation().setting().box().is_flat();
+  if (const std::optional<std::uint32_t> one = plain_count(ids)) {
+    if (const std::optional<Vec3> velocity = plain_vector(velocities, is_flat)) {
+      self.warn_of_edit("set_velocity");
+      const VelocityEdit edit{*one, *velocity};
+      return self.change_velocities({&edit, 1});
+    }
+  }
   const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
-  const bool is_flat = self.simulation().world().box().is_flat();
   const std::vector<Vec3> vectors = vectors_of(velocities, "velocities", is_flat, spheres.size());
   std::vector<VelocityEdit> edits;
   edits.reserve(spheres.size());

@@ -131,6 +131,7 @@ void PythonSimulation::listen() {
     };
   }
   simulation_.observe(std::move(observer));
+  hears_steps_ = is_stepping_;
   if (!listener_ && !is_stepping_) return simulation_.on_contact(nullptr);
   simulation_.on_contact([this](const Contact& contact) {
     if (is_stepping_) last_ = contact;
@@ -169,6 +170,20 @@ RunStatus PythonSimulation::run_interruptibly(RunLimits limits, const Function<v
   if (status == RunStatus::stopped && is_shared)
     throw RunFailure("process 0 has been interrupted, which ends the run in all");
   return status;
+}
+
+// As run_interruptibly, in one thread, for what usually takes less time than to give up the lock: others get
+// it only if it takes long.
+RunStatus PythonSimulation::run_a_step(RunLimits limits) {
+  throw_if_interrupted();
+  bool is_long = false;
+  limits.stop = [&is_long] {
+    if (!std::exchange(is_long, true)) return false;
+    { const py::gil_scoped_release release; }
+    throw_if_interrupted();
+    return false;
+  };
+  return measures_.is_any_wanted() ? simulation_.run(limits, measures_) : simulation_.run(limits);
 }
 
 // Runs, and writes what is due on the way.
@@ -236,8 +251,14 @@ std::optional<Contact> PythonSimulation::step(double end) {
   const Claim claim(*this);
   last_.reset();
   const Setting<bool> stepping(is_stepping_, true);
-  listen();
-  run_and_write({.until = Time(end), .contacts = 1});
+  if (!hears_steps_) listen();
+  const RunLimits limits{.until = Time(end), .contacts = 1};
+  const bool is_alone = simulation_.options().threads == 1 && simulation_.processes().size() == 1;
+  if (is_alone && !output_) {
+    run_a_step(limits);
+  } else {
+    run_and_write(limits);
+  }
   of_state_.clear();
   return last_;
 }

@@ -150,6 +150,7 @@ class PythonSimulation {
   void check_idle(const char* what) const;
   void listen();
   RunStatus run_interruptibly(RunLimits limits, const Function<void()>& look = {});
+  RunStatus run_a_step(RunLimits limits);
   RunStatus run_and_write(const RunLimits& limits, const Function<void()>& look = {});
   double usual_wait() const;
   template <class Query>
@@ -168,6 +169,7 @@ class PythonSimulation {
   std::optional<EventRecords> records_;  // while they are recorded
   std::optional<Contact> last_;          // of a step
   bool is_stepping_ = false;
+  bool hears_steps_ = false;  // the listener of the simulation notes them
   mutable std::optional<std::thread::id> runner_;
   std::map<std::string_view, pybind11::object> of_state_;
   std::shared_ptr<const Origin> origin_;

@@ -154,9 +154,18 @@ void bind_numbers(SimulationClass& simulation) {
   };
   number(
       "time", [](const Simulation& self) { return self.time(); }, "The present time [T].");
-  number(
-      "box", [](const Simulation& self) { return self.setting().box(); }, doc::Box);
-  number(
+  // Made once, as they take longer than a number.
+  const auto object = [&](const char* name, auto get, const char* documentation) {
+    simulation.def_property_readonly(
+        name,
+        [name, get](PythonSimulation& self) {
+          return self.of_state(name, [&] { return get(self.simulation()); });
+        },
+        documentation);
+  };
+  object(
+      "box", [](const Simulation& self) -> Typed<"Box"> { return py::cast(self.setting().box()); }, doc::Box);
+  object(
       "gravity",
       [](const Simulation& self) { return read_only(array_of(self.setting().motion().gravity())); },
       "Acceleration of all spheres [L/T^2].");

@@ -200,9 +200,8 @@ def _choice_of(
 
 
 def _number_or_text(value: str) -> int | float | str:
-    for kind in (int, float):
-        try:
-            return kind(value)
-        except ValueError:
-            pass
-    return value
+    try:
+        number = float(value)
+    except ValueError:
+        return value
+    return int(value) if value.isdigit() else number

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from . import _hardball
 from ._arguments import path_text, real_number
+from ._view import View
 
 if TYPE_CHECKING:
     import ase
@@ -189,6 +190,13 @@ class Recording(Trajectory):
         """The spheres at a time from begin to end [T], after all contacts at that time. Error: any other time."""
         return frame_of(self._recording.at(real_number(time, "time")))
 
+    def view(self) -> View:
+        """The run in the viewer, as `hardball replay` shows it: inline in a notebook, otherwise to be saved or opened.
+
+        Error: the recording exceeds 200 MB, more than browsers open.
+        """
+        return View(_hardball.Simulation._page_of(self.path))
+
     def contacts(self) -> NDArray[np.void]:
         """All collisions and wall contacts, as a structured array with the fields time [T], kind, first and second.
 
@@ -216,7 +224,7 @@ def read(path: str | os.PathLike[str], *, every: float | None = None) -> Traject
 
 
 def frame_of(made: _hardball.Frame) -> Frame:
-    """The same, with what only Python needs."""
+    """A frame as Python shows it, of which `made` gives up the spheres."""
     frame = Frame.__new__(Frame)
     _hardball.Frame.__init__(frame, made)
     return frame
