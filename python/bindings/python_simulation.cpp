@@ -161,7 +161,7 @@ RunStatus PythonSimulation::run_interruptibly(RunLimits limits, const Function<v
     if (!output_) return false;
     output_->keep_current();
     return output_->has_failed() ||
-           (std::exchange(has_advanced, true) && !is_shared && output_->is_checkpoint_due());
+           (std::exchange(has_advanced, true) && !is_shared && output_->schedule().is_checkpoint_due());
   };
   const py::gil_scoped_release release;
   const RunStatus status =
@@ -195,7 +195,7 @@ RunStatus PythonSimulation::run_and_write(const RunLimits& limits, const Functio
   const double until = limits.until.value();
   for (;;) {
     const double due = output_->next_time(until);
-    const std::uint64_t counted = output_->next_contacts();
+    const std::uint64_t counted = output_->schedule().snapshot_contacts();
     const Time next = due < until ? Time(due) : limits.until;
     const RunStatus status =
         run_interruptibly({.until = next, .contacts = std::min(last, counted) - contacts()}, look);
@@ -204,7 +204,7 @@ RunStatus PythonSimulation::run_and_write(const RunLimits& limits, const Functio
     const bool is_over = status == RunStatus::time_reached && next == limits.until;
     if (status == RunStatus::time_reached && due <= until)
       output_->write_due(simulation_, measures_, due, until);
-    if (simulation_.processes().of_first(output_->is_checkpoint_due()))
+    if (simulation_.processes().of_first(output_->schedule().is_checkpoint_due()))
       output_->write_checkpoint(simulation_, measures_);
     if (is_over || (status == RunStatus::contacts_reached && contacts() == last)) return status;
   }

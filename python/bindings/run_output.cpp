@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "apps/cli/run_report.hpp"
-#include "apps/cli/seconds_since.hpp"
 #include "apps/report/report.hpp"
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
@@ -35,6 +34,19 @@ mean_speed = 1.0
 
 bool is_described(const Origin& origin) {
   return !origin.scenario.text.empty();
+}
+
+// Results are written of the measures that are on.
+Origin with_measures(Origin origin, const Measures& measures) {
+  origin.scenario.measures.names.clear();
+  if (measures.is_any_wanted()) origin.scenario.measures.names = {"all"};
+  return origin;
+}
+
+std::filesystem::path directory_of(const Origin& origin) {
+  if (origin.scenario.output.directory) return *origin.scenario.output.directory;
+  throw Error("no directory is given", "output",
+              "name one, as in output('out'), or in [output] of the scenario");
 }
 
 }  // namespace
@@ -85,14 +97,10 @@ RunEnd end_of(const Origin& origin, const Simulation& simulation, const Measures
 }
 
 RunOutput::RunOutput(Origin origin, const Simulation& simulation, const Measures& measures, bool overwrites)
-    : origin_(std::move(origin)) {
-  begin(simulation, measures);
-  const SnapshotSchedule snapshots = origin_.scenario.output.snapshots();
-  if (!snapshots.is_never()) {
-    while (snapshots.time(next_snapshot_) < simulation.time() ||
-           snapshots.contacts(next_snapshot_) < simulation.counters().contacts())
-      ++next_snapshot_;
-  }
+    : origin_(with_measures(std::move(origin), measures)),
+      directory_(directory_of(origin_)),
+      schedule_(origin_.scenario.output, 0, simulation.time()) {
+  schedule_.skip_snapshots(simulation.time(), simulation.counters().contacts());
   if (has_recording()) static_cast<void>(simulation.world());
   in_first(simulation.processes(),
            [&] { files_.emplace(directory_, origin_.scenario, simulation, overwrites); });
@@ -101,23 +109,11 @@ RunOutput::RunOutput(Origin origin, const Simulation& simulation, const Measures
 
 RunOutput::RunOutput(Origin origin, const Simulation& simulation, const Measures& measures,
                      const cli::FilesState& files, const cli::RunState& state)
-    : seconds(state.seconds), origin_(std::move(origin)), next_snapshot_(state.next_snapshot) {
-  begin(simulation, measures);
+    : seconds(state.seconds),
+      origin_(with_measures(std::move(origin), measures)),
+      directory_(directory_of(origin_)),
+      schedule_(origin_.scenario.output, state.next_snapshot, simulation.time()) {
   in_first(simulation.processes(), [&] { files_.emplace(directory_, origin_.scenario, files); });
-}
-
-// What both constructors do first.
-void RunOutput::begin(const Simulation& simulation, const Measures& measures) {
-  OutputDescription& output = origin_.scenario.output;
-  if (!output.directory) {
-    throw Error("no directory is given", "output",
-                "name one, as in output('out'), or in [output] of the scenario");
-  }
-  directory_ = *output.directory;
-  kept_ = simulation.time();
-  std::ranges::sort(output.checkpoint_at);
-  origin_.scenario.measures.names.clear();
-  if (measures.is_any_wanted()) origin_.scenario.measures.names = {"all"};
 }
 
 Observer RunOutput::observer(const Simulation& simulation) {
@@ -150,26 +146,8 @@ void RunOutput::throw_if_failed() const {
   if (has_failed()) throw RunFailure(failure_);
 }
 
-double RunOutput::next_snapshot(double until) const {
-  return origin_.scenario.output.snapshots().time(next_snapshot_, until);
-}
-
-double RunOutput::next_kept() const {
-  const std::vector<double>& times = origin_.scenario.output.checkpoint_at;
-  const auto next = std::ranges::upper_bound(times, kept_);
-  return next == times.end() ? SnapshotSchedule::kNoTime : *next;
-}
-
 double RunOutput::next_time(double until) const {
-  return std::min(next_snapshot(until), next_kept());
-}
-
-std::uint64_t RunOutput::next_contacts() const {
-  return origin_.scenario.output.snapshots().contacts(next_snapshot_);
-}
-
-bool RunOutput::is_checkpoint_due() const {
-  return cli::seconds_since(last_checkpoint_) >= origin_.scenario.output.checkpoint_every;
+  return std::min(schedule_.snapshot_time(until), schedule_.kept_time());
 }
 
 void RunOutput::keep_current() {
@@ -177,12 +155,12 @@ void RunOutput::keep_current() {
 }
 
 void RunOutput::write_due(const Simulation& simulation, const Measures& measures, double time, double until) {
-  while (next_snapshot(until) <= time) {
-    write_snapshot(simulation, next_snapshot(until));
-    ++next_snapshot_;
+  while (schedule_.snapshot_time(until) <= time) {
+    write_snapshot(simulation, schedule_.snapshot_time(until));
+    schedule_.note_snapshot();
   }
-  if (next_kept() <= time) {
-    kept_ = time;
+  if (schedule_.kept_time() <= time) {
+    schedule_.note_kept(time);
     std::filesystem::path path;
     in_all(simulation.processes(), [&] { path = cli::kept_checkpoint(directory_, time); });
     write_checkpoint(simulation, measures, path);
@@ -192,7 +170,7 @@ void RunOutput::write_due(const Simulation& simulation, const Measures& measures
 
 void RunOutput::write_counted(const Simulation& simulation) {
   write_snapshot(simulation, simulation.time());
-  ++next_snapshot_;
+  schedule_.note_snapshot();
 }
 
 void RunOutput::write_snapshot(const Simulation& simulation, double time) {
@@ -202,15 +180,15 @@ void RunOutput::write_snapshot(const Simulation& simulation, double time) {
 
 void RunOutput::write_checkpoint(const Simulation& simulation, const Measures& measures) {
   write_checkpoint(simulation, measures, directory_ / cli::kCheckpoint);
-  last_checkpoint_ = std::chrono::steady_clock::now();
+  schedule_.note_checkpoint();
 }
 
 void RunOutput::write_checkpoint(const Simulation& simulation, const Measures& measures,
                                  const std::filesystem::path& path) {
   std::vector<CheckpointSection> sections;
   in_first(simulation.processes(), [&] {
-    sections =
-        cli::sections_of(*files_, origin_.choice, origin_.scenario, next_snapshot_, seconds, {}, measures);
+    sections = cli::sections_of(*files_, origin_.choice, origin_.scenario, schedule_.snapshot(), seconds, {},
+                                measures);
     sections.push_back({"until", archived(origin_.scenario.run.until)});
   });
   hardball::write_checkpoint(simulation, path, sections);

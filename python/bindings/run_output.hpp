@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/cli/options.hpp"
+#include "apps/cli/output_schedule.hpp"
 #include "apps/cli/run_files.hpp"
 #include "apps/cli/started_run.hpp"
 #include "apps/cli/summary.hpp"
@@ -63,10 +62,7 @@ class RunOutput {
 
   /// When something is due [T], in a run to `until` [T]; infinity if nothing is.
   double next_time(double until) const;
-  /// At how many contacts a snapshot is due.
-  std::uint64_t next_contacts() const;
-  /// Whether the last checkpoint was written long ago.
-  bool is_checkpoint_due() const;
+  const cli::OutputSchedule& schedule() const { return schedule_; }
   /// Makes files complete for readers, at most once a second.
   void keep_current();
   /// Whether a file could not be written in the midst of a run.
@@ -87,9 +83,6 @@ class RunOutput {
   cli::Seconds seconds = {};
 
  private:
-  void begin(const Simulation& simulation, const Measures& measures);
-  double next_snapshot(double until) const;
-  double next_kept() const;
   void write_snapshot(const Simulation& simulation, double time);
   void write_checkpoint(const Simulation& simulation, const Measures& measures,
                         const std::filesystem::path& path);
@@ -99,10 +92,8 @@ class RunOutput {
   Origin origin_;
   std::filesystem::path directory_;
   std::optional<cli::RunFiles> files_;  // in the first process
-  std::uint64_t next_snapshot_ = 0;
-  double kept_ = 0;  // the last time at which a checkpoint was kept, or the run began [T]
+  cli::OutputSchedule schedule_;
   std::string failure_;
-  std::chrono::steady_clock::time_point last_checkpoint_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace hardball::python

@@ -7,7 +7,10 @@ import importlib.util
 import inspect
 import os
 import pickle
+import signal
 import tempfile
+import threading
+import time
 import unittest
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
@@ -96,6 +99,16 @@ class Commands(unittest.TestCase):
         self.assertFalse(Path("b.csv").exists())
         for name in ("a.xyz", CRADLE):
             self.assertEqual(hardball.info(name), program("info", name).rstrip("\n"))
+
+    def test_an_interruption_ends_what_takes_long(self):
+        for call in (lambda: hardball.tune(SCENARIO, until=1e9, budget=300), lambda: hardball.verify(SCENARIO, until=1e9)):
+            begin = time.monotonic()
+            timer = threading.Timer(1, lambda: os.kill(os.getpid(), signal.SIGINT))
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                call()
+            timer.join()
+            self.assertLess(time.monotonic() - begin, 60)
 
     def test_calls_are_described(self):
         for function in (hardball.check, hardball.read, hardball.plot, hardball.Simulation.output, hardball.Simulation.gas):

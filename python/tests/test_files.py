@@ -236,6 +236,18 @@ class Output(InFolder):
         with self.assertRaisesRegex(hardball.Error, "there is no checkpoint"):
             hardball.Simulation.resume("nowhere")
 
+    def test_the_output_of_a_scenario_is_that_of_its_simulation(self):
+        scenario = {**SCENARIO, "output": {"directory": "out", "snapshots_every": 1.0, "trajectory": "gsd"}}
+        simulation = hardball.Simulation.from_scenario(scenario)
+        with simulation.output():
+            simulation.run()
+        self.assertEqual(len(hardball.read("out/trajectory.gsd")), 3)
+        simulation = hardball.Simulation.from_scenario(scenario)
+        with simulation.output("other", trajectory="xyz", event_log=True):
+            simulation.run()
+        self.assertEqual(len(hardball.read("other/trajectory.xyz")), 3)
+        self.assertEqual(len(np.load("other/events.npy")), simulation.collisions)
+
     def test_copies_write_no_files(self):
         simulation = gas()
         with simulation.output("out", snapshots_every=0.5):
@@ -304,6 +316,19 @@ class Reading(InFolder):
                 hardball.read("out/recording.hbr", every=every)
         with self.assertRaisesRegex(hardball.Error, "only recordings"):
             hardball.read("out/trajectory.xyz", every=0.5)
+
+    def test_a_recording_of_many_parts(self):
+        simulation = gas()
+        with simulation.output("long", recording=True):
+            simulation.run(contacts=3500)
+        recording = hardball.read("long/recording.hbr")
+        self.assertGreater(len(recording), 3)
+        again = gas()
+        for frame in recording:
+            again.run(until=frame.time)
+            np.testing.assert_allclose(frame.positions, again.positions, rtol=0, atol=1e-12)
+            np.testing.assert_array_equal(frame.velocities, again.velocities)
+        self.assertEqual(len(recording.contacts()), 3500)
 
     def test_recordings_know_mergers_gravity_walls_and_shear(self):
         positions, edge = lattice()
