@@ -260,11 +260,7 @@ void bind_frames(py::module_& module) {
       .def(py::init([](const std::filesystem::path& path) { return open_snapshots(path); }), py::arg("path"))
       .def("__len__", &SnapshotReader::frames)
       .def(
-          "read",
-          [](SnapshotReader& self, std::size_t frame) {
-            const py::gil_scoped_release release;
-            return Frame{self.read(frame)};
-          },
+          "read", [](SnapshotReader& self, std::size_t frame) { return Frame{self.read(frame)}; },
           py::arg("frame"));
   py::class_<RecordedFrames>(module, "_Recording")
       .def(py::init<const std::filesystem::path&>(), py::arg("path"))

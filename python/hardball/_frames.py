@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from . import _hardball
 from ._arguments import path_text, real_number
+from ._ase import KINEMATIC
 from ._view import View
 
 if TYPE_CHECKING:
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
 
 Self = TypeVar("Self", bound="Trajectory")
 Table = Union["pandas.DataFrame", NDArray[np.void]]
-
-_KINEMATIC = 1e60  # for ASE, the mass of spheres that no collision deflects [M]
 
 
 class Frame(_hardball.Frame):
@@ -52,7 +51,7 @@ class Frame(_hardball.Frame):
         atoms = ase.Atoms(
             numbers=np.zeros(len(self), dtype=int),
             positions=self.positions - np.where(periodic, self.origin, 0.0),
-            masses=np.minimum(self.masses, _KINEMATIC),
+            masses=np.minimum(self.masses, KINEMATIC),
             cell=cell,
             pbc=periodic,
         )
