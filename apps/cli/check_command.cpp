@@ -13,6 +13,7 @@
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/outlook.hpp"
 #include "apps/cli/response_text.hpp"
+#include "apps/cli/results.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/trial.hpp"
@@ -193,8 +194,7 @@ double length_of(const Outlook& outlook) {
 
 }  // namespace
 
-ExitCode check(const CheckOptions& options) {
-  catch_signals();
+std::vector<TableRow> check_rows(const CheckOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
   const Outlook outlook = look_ahead(options.engine, scenario, options.quiet);
   write_notes(outlook.notes, options.quiet);
@@ -207,8 +207,10 @@ ExitCode check(const CheckOptions& options) {
   const double bytes_per_sphere =
       static_cast<double>(simulation.memory_bytes()) / static_cast<double>(simulation.size());
   const World space(statistics.box, scenario.gravity, make_surfaces(scenario, statistics.box));
-  std::string text;
-  const auto add = [&](std::string_view name, const std::string& value) { text += table_line(name, value); };
+  std::vector<TableRow> rows;
+  const auto add = [&](std::string_view name, const std::string& value) {
+    rows.push_back({std::string(name), value});
+  };
   add("scenario", scenario.name);
   add("spheres", to_text(statistics.spheres));
   add("box", describe(space.box()));
@@ -250,7 +252,7 @@ ExitCode check(const CheckOptions& options) {
   add("memory",
       fmt::format("{:.4g} MB, {:.0f} bytes per sphere", bytes_per_sphere * spheres / 1e6, bytes_per_sphere));
   add("until", readable(until));
-  text += "expected from the density and speed at the start:\n";
+  add("expected from the density and speed at the start:", "");
   add("  collisions", readable(spheres * until / mean_free_time(statistics) / 2));
   add("  wall contacts", readable(spheres * until * wall_rate(statistics)));
   if (length > 0 && !has_lists) {
@@ -276,6 +278,14 @@ ExitCode check(const CheckOptions& options) {
             "all fit is not checked",
             simulation.size()));
   }
+  return rows;
+}
+
+ExitCode check(const CheckOptions& options) {
+  catch_signals();
+  std::string text;
+  for (const auto& [name, value] : check_rows(options))
+    text += value.empty() ? name + "\n" : table_line(name, value);
   write_output(text);
   return ExitCode::done;
 }

@@ -7,6 +7,7 @@
 #include "apps/cli/commands.hpp"
 #include "apps/cli/output_paths.hpp"
 #include "apps/cli/parse_number.hpp"
+#include "apps/cli/results.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/written.hpp"
 #include "hardball/error.hpp"
@@ -33,7 +34,7 @@ Frames chosen_frames(const ConvertOptions& options, std::size_t count, SnapshotF
 
 }  // namespace
 
-ExitCode convert(const ConvertOptions& options) {
+std::size_t convert_frames(const ConvertOptions& options) {
   const std::filesystem::path in = options.in;
   const std::filesystem::path out = options.out;
   const SnapshotFormat format = format_of(out);
@@ -59,7 +60,12 @@ ExitCode convert(const ConvertOptions& options) {
     Trajectory::remove(out);
     throw;
   }
-  if (!options.quiet) write_output(written_line(out, count_of(frames.end - frames.begin, "frame")));
+  return frames.end - frames.begin;
+}
+
+ExitCode convert(const ConvertOptions& options) {
+  const std::size_t frames = convert_frames(options);
+  if (!options.quiet) write_output(written_line(options.out, count_of(frames, "frame")));
   return ExitCode::done;
 }
 

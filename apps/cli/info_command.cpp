@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/cli/commands.hpp"
+#include "apps/cli/results.hpp"
 #include "apps/cli/run_files.hpp"
 #include "apps/cli/started_run.hpp"
 #include "apps/cli/terminal.hpp"
@@ -167,7 +168,9 @@ std::string about_event_log(const std::filesystem::path& path, const NpyHeader& 
                                    to_text(contact_time(file, header, contacts - 1))));
 }
 
-std::string about(const std::filesystem::path& path) {
+}  // namespace
+
+std::string describe_file(const std::filesystem::path& path) {
   if (path.extension() == ".hbr") return about_recording(path);
   if (path.extension() == kCheckpointEnding) return about_checkpoint(path);
   if (path.extension() == ".toml") return about_scenario(path);
@@ -181,8 +184,6 @@ std::string about(const std::filesystem::path& path) {
   return about_snapshots(path);
 }
 
-}  // namespace
-
 ExitCode info(const InfoOptions& options) {
   ExitCode code = ExitCode::done;
   const auto tell = [&](const auto& action) {
@@ -195,7 +196,7 @@ ExitCode info(const InfoOptions& options) {
   };
   for (const std::filesystem::path file : options.files) {
     if (!std::filesystem::is_directory(file)) {
-      tell([&] { write_output(about(file)); });
+      tell([&] { write_output(describe_file(file)); });
       continue;
     }
     const std::vector<std::filesystem::path> names = files_of_run(file);
@@ -205,7 +206,7 @@ ExitCode info(const InfoOptions& options) {
       write_output(file.string() + ": output of a run that has " + (is_finished(file) ? "" : "not ") +
                    "ended\n");
     });
-    for (const std::filesystem::path& name : names) tell([&] { write_output(about(file / name)); });
+    for (const std::filesystem::path& name : names) tell([&] { write_output(describe_file(file / name)); });
   }
   return code;
 }

@@ -3,11 +3,13 @@
 #include "apps/cli/interruption.hpp"
 
 #include <csignal>
+#include <utility>
 
 namespace hardball::cli {
 namespace {
 
 volatile std::sig_atomic_t signal_came = 0;
+Function<bool()> ask;
 
 extern "C" void note_signal(int) {
   signal_came = 1;
@@ -25,7 +27,11 @@ void catch_signals() {
 }
 
 bool is_interrupted() {
-  return signal_came != 0;
+  return signal_came != 0 || (ask && ask());
+}
+
+void ask_for_interruption(Function<bool()> whether) {
+  ask = std::move(whether);
 }
 
 }  // namespace hardball::cli

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/cli/terminal.hpp"
+#include "apps/cli/version.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -111,8 +112,8 @@ std::string purpose(std::string text) {
 }  // namespace
 
 ExitCode print_manual(const Command& program) {
-  std::string text = fmt::format(kHead, fmt::arg("version", HARDBALL_VERSION),
-                                 fmt::arg("purpose", purpose(program.description)));
+  std::string text =
+      fmt::format(kHead, fmt::arg("version", version()), fmt::arg("purpose", purpose(program.description)));
   text += ".SH OPTIONS\n";
   for (const Command::Argument& option : program.options) text += entry(option);
   text += ".SH COMMANDS\n";

@@ -16,10 +16,11 @@ class Arguments;
 
 /// A scenario, and how the command line changes it.
 struct ScenarioChoice {
-  std::string path;                    ///< A file; for commands that show runs, also a run's directory.
-  std::vector<std::string> overrides;  ///< Changes of the form key=value.
-  std::optional<std::string> until;    ///< The end of the run [T].
-  std::optional<std::string> seed;
+  std::string path;                       ///< A file; for commands that show runs, also a run's directory.
+  std::vector<std::string> overrides;     ///< Changes of the form key=value.
+  std::optional<std::string> until = {};  ///< The end of the run [T].
+  std::optional<std::string> seed = {};
+  std::optional<std::string> text = {};  ///< The scenario itself, where `path` is only its name.
 
   static void persist(auto& archive, auto& self) {
     archive(self.path, self.overrides, self.until, self.seed);

@@ -13,6 +13,7 @@
 
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
+#include "apps/cli/version.hpp"
 #include "hardball/measure/units.hpp"
 #include "hardball/theory.hpp"
 #include "hardball/tuning/cell_counts.hpp"
@@ -219,7 +220,7 @@ report::Report run_report(const ScenarioChoice& chosen, const Scenario& scenario
   report.name = std::filesystem::path(scenario.name).stem().string();
   report.scenario = scenario.text;
   report.changes = changes(chosen);
-  report.program = "hardball " HARDBALL_VERSION;
+  report.program = "hardball " + version();
   report.date = date_now();
   report.until = *scenario.run.until;
   report.seed = scenario.run.seed;

@@ -59,7 +59,8 @@ void throw_as_of_command_line(const Error& error) {
 }
 
 Scenario read_scenario(const ScenarioChoice& choice) {
-  return changed_by(choice, load_scenario(choice.path, choice.overrides));
+  return changed_by(choice, choice.text ? parse_scenario(*choice.text, choice.path, choice.overrides)
+                                        : load_scenario(choice.path, choice.overrides));
 }
 
 Scenario changed_by(const ScenarioChoice& choice, Scenario scenario) {

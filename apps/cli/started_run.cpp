@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/output_schedule.hpp"
 #include "apps/cli/progress.hpp"
 #include "apps/cli/run_report.hpp"
 #include "apps/cli/run_snapshot.hpp"
@@ -32,27 +32,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The path of the checkpoint that is kept of a time [T]; its folder is there on return. Error (RunFailure):
-// it cannot be created.
-std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time) {
-  const std::filesystem::path folder = directory / kKeptCheckpoints;
-  std::error_code failure;
-  std::filesystem::create_directory(folder, failure);
-  if (failure) throw RunFailure("cannot create " + folder.string() + ": " + failure.message());
-  return folder / (to_text(time) + kCheckpointEnding);
-}
-
 // Writes a checkpoint of a run that has files. Error (RunFailure): it cannot be written; the one before is
 // kept.
 void write_checkpoint(StartedRun& run, const std::filesystem::path& path) {
   std::vector<CheckpointSection> sections;
-  // Files first: what they lack when the machine stops, no checkpoint refers to.
   in_first(run.processes(), [&] {
-    const FilesState files = run.files->save();
-    sections = {{"run", archived(RunState{run.choice, run.scenario.text, run.scenario.name, run.next_snapshot,
-                                          run.seconds, run.notes})},
-                {"files", archived(files)},
-                {"measures", archived(run.measures)}};
+    sections = sections_of(*run.files, run.choice, run.scenario, run.next_snapshot, run.seconds, run.notes,
+                           run.measures);
   });
   write_checkpoint(run.simulation, path, sections);
 }
@@ -65,8 +51,9 @@ class Course {
         processes_(run.processes()),
         progress_(processes_.is_first() && !run.output.quiet, *run.scenario.run.until),
         seconds_before_(run.seconds.run),
-        rest_(run.scenario, run.simulation.totals(), run.simulation.size()) {
-    std::ranges::sort(run_.scenario.output.checkpoint_at);
+        rest_(run.scenario, run.simulation.totals(), run.simulation.size()),
+        schedule_(run.directory ? run.scenario.output : OutputDescription(), run.next_snapshot,
+                  run.simulation.time()) {
     observe_files();
   }
 
@@ -94,20 +81,21 @@ class Course {
     for (;;) {
       const double now = run_.simulation.time();
       rest_.look(now, [&] { return run_.simulation.totals(); });
-      const double snapshot = next_snapshot_time();
-      const double checkpoint = next_kept_checkpoint();
+      const double snapshot = schedule_.snapshot_time(until);
+      const double checkpoint = schedule_.kept_time();
       const double next = std::min({snapshot, checkpoint, until, rest_.next_look(now)});
       const RunStatus status =
-          rest_.since() ? RunStatus::time_reached : run_to(next, next_snapshot_contacts());
+          rest_.since() ? RunStatus::time_reached : run_to(next, schedule_.snapshot_contacts());
       if (status == RunStatus::stopped) return false;
       const bool has_counted = status == RunStatus::contacts_reached;
       if (snapshot <= next || has_counted) {
         write_snapshot(run_, has_counted ? run_.simulation.time() : snapshot);
-        ++run_.next_snapshot;
+        schedule_.note_snapshot();
+        run_.next_snapshot = schedule_.snapshot();
       }
       if (has_counted) continue;
       if (checkpoint <= next) keep_checkpoint(next);
-      if (next == until && !(next_snapshot_time() <= until)) return true;
+      if (next == until && !(schedule_.snapshot_time(until) <= until)) return true;
     }
   }
 
@@ -165,30 +153,10 @@ class Course {
 
   std::filesystem::path current() const { return *run_.directory / kCheckpoint; }
 
-  // When the next snapshot is due [T]; infinity if that depends on contacts, or none is.
-  double next_snapshot_time() const {
-    if (!run_.directory) return SnapshotSchedule::kNoTime;
-    return run_.scenario.output.snapshots().time(run_.next_snapshot, *run_.scenario.run.until);
-  }
-  // At how many contacts it is due.
-  std::uint64_t next_snapshot_contacts() const {
-    if (!run_.directory) return SnapshotSchedule::kNoContacts;
-    return run_.scenario.output.snapshots().contacts(run_.next_snapshot);
-  }
-
-  bool is_checkpoint_due() const {
-    return run_.directory && seconds_since(last_checkpoint_) >= run_.scenario.output.checkpoint_every;
-  }
-
-  // The first time after the present one at which a checkpoint is to be kept; infinity if there is none.
-  double next_kept_checkpoint() const {
-    const std::vector<double>& times = run_.scenario.output.checkpoint_at;
-    const auto next = std::ranges::upper_bound(times, kept_);
-    return run_.directory && next != times.end() ? *next : std::numeric_limits<double>::infinity();
-  }
+  bool is_checkpoint_due() const { return run_.directory && schedule_.is_checkpoint_due(); }
 
   void keep_checkpoint(double time) {
-    kept_ = time;
+    schedule_.note_kept(time);
     note_seconds();
     std::filesystem::path path;
     in_all(processes_, [&] { path = kept_checkpoint(*run_.directory, time); });
@@ -199,7 +167,7 @@ class Course {
   void write_current() {
     note_seconds();
     write_checkpoint(run_, current());
-    last_checkpoint_ = Clock::now();
+    schedule_.note_checkpoint();
   }
 
   void note_seconds() { run_.seconds.run = seconds_before_ + seconds_since(begin_); }
@@ -209,11 +177,10 @@ class Course {
   Progress progress_;
   double seconds_before_;
   RestWatch rest_;
-  double kept_ = run_.simulation.time();  // the last time at which a checkpoint was kept, or the run began
-  double observed_ = kept_;               // the time of the last contact observed
-  std::string failure_;                   // of files, in the midst of a run
+  OutputSchedule schedule_;                   // without files, of nothing
+  double observed_ = run_.simulation.time();  // the time of the last contact observed
+  std::string failure_;                       // of files, in the midst of a run
   Clock::time_point begin_ = Clock::now();
-  Clock::time_point last_checkpoint_ = begin_;
 };
 
 // Whether a run that has reached `time` [T] and is to end at `until` [T] is whole, files included. Error: it
@@ -235,6 +202,25 @@ void tell_of_whole_run(const std::filesystem::path& directory, double time, cons
 }
 
 }  // namespace
+
+std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time) {
+  const std::filesystem::path folder = directory / kKeptCheckpoints;
+  std::error_code failure;
+  std::filesystem::create_directory(folder, failure);
+  if (failure) throw RunFailure("cannot create " + folder.string() + ": " + failure.message());
+  return folder / (to_text(time) + kCheckpointEnding);
+}
+
+std::vector<CheckpointSection> sections_of(RunFiles& files, const ScenarioChoice& choice,
+                                           const Scenario& scenario, std::uint64_t next_snapshot,
+                                           const Seconds& seconds, const std::vector<std::string>& notes,
+                                           const Measures& measures) {
+  // Files first: what they lack when the machine stops, no checkpoint refers to.
+  const FilesState state = files.save();
+  return {{"run", archived(RunState{choice, scenario.text, scenario.name, next_snapshot, seconds, notes})},
+          {"files", archived(state)},
+          {"measures", archived(measures)}};
+}
 
 void open_files(StartedRun& run, bool overwrites) {
   if (!run.directory) return;

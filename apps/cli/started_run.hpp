@@ -12,6 +12,7 @@
 #include "apps/cli/options.hpp"
 #include "apps/cli/run_files.hpp"
 #include "apps/cli/summary.hpp"
+#include "hardball/io/checkpoint_file.hpp"
 #include "hardball/measures.hpp"
 #include "hardball/scenario.hpp"
 #include "hardball/simulation.hpp"
@@ -48,6 +49,17 @@ struct RunState {
     archive(self.choice, self.text, self.name, self.next_snapshot, self.seconds, self.notes);
   }
 };
+
+/// The path of the checkpoint that is kept of a time [T]; its folder is there on return. Error (RunFailure):
+/// it cannot be created.
+std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time);
+
+/// The sections by which the checkpoint of a run with files exceeds that of its simulation. Error
+/// (RunFailure): the files cannot be written.
+std::vector<CheckpointSection> sections_of(RunFiles& files, const ScenarioChoice& choice,
+                                           const Scenario& scenario, std::uint64_t next_snapshot,
+                                           const Seconds& seconds, const std::vector<std::string>& notes,
+                                           const Measures& measures);
 
 /// Opens the files of a run that has a directory and starts now. Error: see RunFiles.
 void open_files(StartedRun& run, bool overwrites);

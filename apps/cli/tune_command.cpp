@@ -16,6 +16,7 @@
 #include "apps/cli/output_paths.hpp"
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
+#include "apps/cli/results.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/sweep.hpp"
 #include "apps/cli/terminal.hpp"
@@ -211,13 +212,12 @@ void settle(Simulation& simulation, const Scenario& scenario, Budget& budget) {
 
 }  // namespace
 
-ExitCode tune(const TuneOptions& options) {
+Tuning tune_cells(const TuneOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
   EngineOptions engine_options;
   engine_options.engine = EngineKind::cells;
   engine_options.unit_costs = read_unit_costs(options.unit_costs == "auto" ? "measured" : options.unit_costs);
   const double seconds = read_budget(options);
-  catch_signals();
   if (options.out) make_directory(*options.out);
   Simulation simulation = start(scenario, engine_options, !options.quiet);
   std::string notes;
@@ -228,7 +228,7 @@ ExitCode tune(const TuneOptions& options) {
   std::optional<Budget> budget(std::in_place, seconds, !options.quiet);
   settle(simulation, scenario, *budget);
   const GasStatistics statistics = gas_statistics(simulation.world(), simulation.now());
-  const Sweep sweep = sweep_cell_edges(simulation, simulation.options(), *budget);
+  Sweep sweep = sweep_cell_edges(simulation, simulation.options(), *budget);
   budget.reset();
   std::string files;
   if (options.out) {
@@ -237,7 +237,13 @@ ExitCode tune(const TuneOptions& options) {
     write_file(directory / "tune.svg", figure(sweep, scenario, statistics.spheres));
     for (const char* name : {"tune.csv", "tune.svg"}) files += written_line(directory / name);
   }
-  write_output(table(sweep, statistics, engine_options.unit_costs) + notes + files);
+  std::string text = table(sweep, statistics, engine_options.unit_costs) + notes + files;
+  return {std::move(sweep), std::move(text)};
+}
+
+ExitCode tune(const TuneOptions& options) {
+  catch_signals();
+  write_output(tune_cells(options).text);
   return ExitCode::done;
 }
 

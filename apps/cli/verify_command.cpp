@@ -8,9 +8,12 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/commands.hpp"
+#include "apps/cli/interruption.hpp"
+#include "apps/cli/results.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/error.hpp"
@@ -50,7 +53,8 @@ VerifiedRun run_with(const Scenario& scenario, const World& start, const EngineO
   VerifiedRun outcome;
   outcome.cell_edge = simulation.cell_edge();
   simulation.observe({.change = [&](const VelocityChange&) { ++outcome.changes; }});
-  simulation.run_until(*scenario.run.until);
+  if (simulation.run({.until = Time(*scenario.run.until), .stop = is_interrupted}) == RunStatus::stopped)
+    throw RunFailure("interrupted");
   outcome.hash = simulation.event_log_hash();
   simulation.world().for_each_by_id(
       [&](Slot slot) { outcome.paths.push_back(simulation.world().path(slot)); });
@@ -65,28 +69,29 @@ VerifiedRun run_with(const Scenario& scenario, const World& start, const EngineO
   return outcome;
 }
 
-// Runs a scenario in several ways, compares each with the first, and prints a table.
+// Runs a scenario in several ways, and compares each with the first.
 class Comparison {
  public:
-  Comparison(const Scenario& scenario, World start) : scenario_(scenario), start_(std::move(start)) {
-    write_output(fmt::format("{:<24}{:>16}{:>12}{:>9}{:>13}{:>9}\n", "run", "event log hash", "collisions",
-                             "overlap", "final state", "seconds"));
-  }
+  Comparison(const Scenario& scenario, World start, const Function<void(const VerifiedWay&)>& take)
+      : scenario_(scenario), start_(std::move(start)), take_(take) {}
 
   /// Error: the options are invalid for this scenario.
   void run(const std::string& name, const EngineOptions& options) {
     const VerifiedRun outcome = run_with(scenario_, start_, options);
-    const bool is_first = !first_;
-    if (is_first) first_ = outcome;
+    if (!first_) first_ = outcome;
     const bool same = is_same(outcome, *first_);
     is_good_ = is_good_ && same && outcome.is_sound;
-    const std::string state = is_first ? "" : same ? "same" : "DIFFERENT";
-    write_output(fmt::format("{:<24}{:016x}{:>12}{:>9.1e}{:>13}{:>9.2f}\n", name, outcome.hash,
-                             outcome.counters.collision, outcome.max_overlap, state, outcome.seconds));
+    take_({.name = name,
+           .hash = outcome.hash,
+           .collisions = outcome.counters.collision,
+           .max_overlap = outcome.max_overlap,
+           .is_same = same,
+           .is_sound = outcome.is_sound,
+           .seconds = outcome.seconds});
   }
 
   void leave_out(const std::string& name, const std::string& reason) {
-    write_output(fmt::format("{:<24}skipped: {}\n", name, reason));
+    take_({.name = name, .skipped = reason});
   }
 
   const World& start() const { return start_; }
@@ -98,6 +103,7 @@ class Comparison {
  private:
   const Scenario& scenario_;
   World start_;
+  const Function<void(const VerifiedWay&)>& take_;
   std::optional<VerifiedRun> first_;
   bool is_good_ = true;
 };
@@ -155,12 +161,12 @@ double all_pairs_work(const Comparison& comparison, double until) {
 
 }  // namespace
 
-ExitCode verify(const VerifyOptions& options) {
+bool verify_ways(const VerifyOptions& options, const Function<void(const VerifiedWay&)>& take) {
   const Scenario scenario = read_scenario(options.scenario);
   EngineOptions engine_options;
   std::vector<std::string> notes;
-  Comparison comparison(scenario,
-                        make_world(scenario, {}, [&](const std::string& note) { notes.push_back(note); }));
+  Comparison comparison(
+      scenario, make_world(scenario, {}, [&](const std::string& note) { notes.push_back(note); }), take);
   write_notes(notes, options.quiet);
 
   engine_options.engine = EngineKind::cells;
@@ -200,8 +206,23 @@ ExitCode verify(const VerifyOptions& options) {
   } else {
     comparison.leave_out("all-pairs", fmt::format("{:.1g} predictions would take too long", pairs));
   }
-  write_output(comparison.is_good() ? "all runs are the same\n" : "THE RUNS DIFFER, OR SPHERES OVERLAP\n");
-  return comparison.is_good() ? ExitCode::done : ExitCode::failed;
+  return comparison.is_good();
+}
+
+ExitCode verify(const VerifyOptions& options) {
+  bool is_first = true;
+  const bool is_good = verify_ways(options, [&](const VerifiedWay& way) {
+    if (is_first) {
+      write_output(fmt::format("{:<24}{:>16}{:>12}{:>9}{:>13}{:>9}\n", "run", "event log hash", "collisions",
+                               "overlap", "final state", "seconds"));
+    }
+    if (!way.skipped.empty()) return write_output(fmt::format("{:<24}skipped: {}\n", way.name, way.skipped));
+    const std::string state = std::exchange(is_first, false) ? "" : way.is_same ? "same" : "DIFFERENT";
+    write_output(fmt::format("{:<24}{:016x}{:>12}{:>9.1e}{:>13}{:>9.2f}\n", way.name, way.hash,
+                             way.collisions, way.max_overlap, state, way.seconds));
+  });
+  write_output(is_good ? "all runs are the same\n" : "THE RUNS DIFFER, OR SPHERES OVERLAP\n");
+  return is_good ? ExitCode::done : ExitCode::failed;
 }
 
 }  // namespace hardball::cli

@@ -7,6 +7,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/trajectory/gsd_trajectory.hpp"
 #include "hardball/trajectory/npy_snapshot.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
 #include "hardball/trajectory/text_formats.hpp"
 #include "hardball/trajectory/text_trajectory.hpp"
 #include "hardball/trajectory/vtp_trajectory.hpp"
@@ -48,6 +49,15 @@ Trajectory::Trajectory(const std::filesystem::path& path)
 
 Trajectory::Trajectory(const std::filesystem::path& path, const TrajectoryPosition& position)
     : frames_(position.frames), format_(format_of(path)), writer_(make_writer(path, format_, position)) {}
+
+Trajectory Trajectory::after_last_frame(const std::filesystem::path& path) {
+  if (has_single_frame(format_of(path)))
+    throw Error("files of this format have a single frame", path.string(),
+                "write another file for each frame");
+  const std::unique_ptr<SnapshotReader> reader = open_snapshots(path);
+  static_cast<void>(reader->read(reader->frames() - 1));
+  return {path, {.frames = reader->frames(), .file = {.bytes = std::filesystem::file_size(path)}}};
+}
 
 void Trajectory::append(const World& world, const Time& moment) {
   append(snapshot_of(world, moment));

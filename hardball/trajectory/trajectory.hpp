@@ -26,6 +26,10 @@ class HARDBALL_EXPORT Trajectory {
   /// and not before. Error: it cannot be opened for writing; it is shorter, or contains something else there.
   Trajectory(const std::filesystem::path& path, const TrajectoryPosition& position);
 
+  /// Continues a file after its last frame. Error: as above; its last frame is damaged; its format cannot be
+  /// read, or has a single frame. Cost: that of counting its frames.
+  static Trajectory after_last_frame(const std::filesystem::path& path);
+
   /// Appends a frame. Precondition: no contact lies between the stored paths and `moment`; a file with a
   /// single frame has none yet. Cost: O(n). Error (RunFailure): it cannot be written.
   void append(const World& world, const Time& moment);

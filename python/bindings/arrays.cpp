@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "python/bindings/arrays.hpp"
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "hardball/errors/error.hpp"
@@ -65,6 +67,9 @@ void refuse_truths(const py::handle& object, const std::string& name) {
 }  // namespace
 
 Doubles doubles(const py::handle& object, const std::string& name) {
+  // The usual ones need no conversion. Masked arrays are of another class.
+  if (Py_TYPE(object.ptr()) == py::detail::npy_api::get().PyArray_Type_ && Doubles::check_(object))
+    return py::reinterpret_borrow<Doubles>(object);
   constexpr std::string_view kRealNumbers = "fiub";  // as NumPy calls them
   if (py::module_::import("numpy.ma").attr("is_masked")(object).cast<bool>()) {
     throw Error("it has masked entries", name, "fill them, as array.filled(...) does");
@@ -75,6 +80,35 @@ Doubles doubles(const py::handle& object, const std::string& name) {
     throw Error("it is not an array of numbers", name, "give real numbers, as numpy.asarray takes them");
   }
   return Doubles::ensure(array.attr("astype")("float64"));
+}
+
+std::optional<Vec3> plain_vector(const py::handle& object, bool is_flat) {
+  const bool is_list = PyList_CheckExact(object.ptr()) != 0;
+  if (!is_list && PyTuple_CheckExact(object.ptr()) == 0) {
+    if (Py_TYPE(object.ptr()) != py::detail::npy_api::get().PyArray_Type_ || !Doubles::check_(object))
+      return std::nullopt;
+    const auto array = py::reinterpret_borrow<Doubles>(object);
+    const bool is_vector = array.ndim() == 1 && (array.shape(0) == 3 || (is_flat && array.shape(0) == 2));
+    return is_vector ? std::optional(row_of(array.data(), array.shape(0))) : std::nullopt;
+  }
+  const py::ssize_t size = Py_SIZE(object.ptr());
+  if (size != 3 && !(is_flat && size == 2)) return std::nullopt;
+  std::array<double, 3> numbers{};
+  for (py::ssize_t axis = 0; axis < size; ++axis) {
+    PyObject* const number =
+        is_list ? PyList_GET_ITEM(object.ptr(), axis) : PyTuple_GET_ITEM(object.ptr(), axis);
+    if (PyFloat_CheckExact(number) == 0) return std::nullopt;
+    numbers[static_cast<std::size_t>(axis)] = PyFloat_AS_DOUBLE(number);
+  }
+  return Vec3{numbers[0], numbers[1], numbers[2]};
+}
+
+std::optional<std::uint32_t> plain_count(const py::handle& object) {
+  if (PyLong_CheckExact(object.ptr()) == 0) return std::nullopt;
+  int overflow = 0;
+  const long number = PyLong_AsLongAndOverflow(object.ptr(), &overflow);
+  if (overflow != 0 || number < 0 || number > std::numeric_limits<std::uint32_t>::max()) return std::nullopt;
+  return static_cast<std::uint32_t>(number);
 }
 
 Vec3 vector_of(const py::handle& object, const std::string& name, bool is_flat) {

@@ -5,6 +5,7 @@
 #include <pybind11/numpy.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,12 @@ Doubles doubles(const pybind11::handle& object, const std::string& name);
 
 /// A vector of three numbers or, if `is_flat`, also of two: z is zero. Error: it is neither.
 Vec3 vector_of(const pybind11::handle& object, const std::string& name, bool is_flat);
+
+/// A vector that is a list or tuple of floats, or an array of doubles: what takes little time to recognize.
+/// Nothing if it is anything else, which may be right, too.
+std::optional<Vec3> plain_vector(const pybind11::handle& object, bool is_flat);
+/// A whole number that is an int; nothing if it is anything else, or out of range.
+std::optional<std::uint32_t> plain_count(const pybind11::handle& object);
 
 /// The rows of an array of shape (n, 3) or, if `is_flat`, also of (n, 2): z is zero. Error: it has another
 /// shape.

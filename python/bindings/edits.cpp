@@ -28,8 +28,15 @@ void throw_if_interrupted(std::size_t count) {
 }
 
 void set_velocities(PythonSimulation& self, const ArrayLike& ids, const ArrayLike& velocities) {
+  const bool is_flat = self.simulation().setting().box().is_flat();
+  if (const std::optional<std::uint32_t> one = plain_count(ids)) {
+    if (const std::optional<Vec3> velocity = plain_vector(velocities, is_flat)) {
+      self.warn_of_edit("set_velocity");
+      const VelocityEdit edit{*one, *velocity};
+      return self.change_velocities({&edit, 1});
+    }
+  }
   const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
-  const bool is_flat = self.simulation().world().box().is_flat();
   const std::vector<Vec3> vectors = vectors_of(velocities, "velocities", is_flat, spheres.size());
   std::vector<VelocityEdit> edits;
   edits.reserve(spheres.size());
@@ -44,6 +51,7 @@ void set_thermostat(PythonSimulation& self, const OptionalThermostat& thermostat
 }
 
 void respond_with(PythonSimulation& self, const OptionalResponse& response) {
+  self.check_not_recording("respond_with");
   self.warn_of_edit("respond_with");
   self.set_response(response);
 }
@@ -119,6 +127,17 @@ void bind_edits(SimulationClass& simulation) {
            "no such sphere; one is given twice; measures are on.")
       .def("set_thermostat", &set_thermostat, py::arg("thermostat"), py::arg("seed") = 1,
            "Replaces the thermostat, which starts now; None removes it. Warns as set_velocity does.")
+      .def_property(
+          "thermostat",
+          [](const PythonSimulation& self) -> OptionalThermostat {
+            const std::optional<Thermostat>& thermostat = self.simulation().thermostat();
+            return thermostat ? py::cast(thermostat->kind()) : py::none();
+          },
+          [](PythonSimulation& self, const OptionalThermostat& thermostat) {
+            set_thermostat(self, thermostat, 1);
+          },
+          "The Andersen, Rescale or Heating in use, or None. Assigning one replaces it, as set_thermostat "
+          "does.")
       .def(
           "grow", &grow, py::arg("rate") = GrowthRules().rate, py::kw_only(),
           py::arg("packing_fraction") = py::none(), py::arg("compressibility") = py::none(),
@@ -136,6 +155,17 @@ void bind_edits(SimulationClass& simulation) {
            "function that takes a Contact and returns the velocities of both bodies, or an Outcome. None "
            "restores the last one that was not a function. A Python function costs a few microseconds for "
            "each contact. Warns as set_velocity does.")
+      .def_property(
+          "response",
+          [](const PythonSimulation& self) -> OptionalResponse {
+            if (self.simulation().has_custom_response() && self.response())
+              return self.response()->function();
+            return py::cast(self.simulation().setting().interactions().table());
+          },
+          &respond_with,
+          "What contacts do: a ResponseTable, a copy of the one in use, or the function that was given. "
+          "Assigning "
+          "any response replaces it, as respond_with does.")
       .def("_set_response", &PythonSimulation::set_response)
       .def(
           "on_contact",

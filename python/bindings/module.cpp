@@ -15,4 +15,6 @@ PYBIND11_MODULE(_hardball, module) {
   bind_measurements(module);
   bind_simulation(module);
   bind_packing(module);
+  bind_frames(module);
+  bind_commands(module);
 }

@@ -9,9 +9,11 @@
 #include <limits>
 #include <utility>
 
+#include "apps/cli/seconds_since.hpp"
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/processes/in_all.hpp"
 #include "hardball/recording/recording_header.hpp"
 #include "hardball/recording/recording_writer.hpp"
 #include "python/bindings/processes.hpp"
@@ -65,7 +67,9 @@ PythonSimulation::PythonSimulation(const PythonSimulation& other)
     : simulation_(other.simulation()),
       until_(other.until_),
       measures_(other.measures_),
-      has_warned_(other.has_warned_) {
+      has_warned_(other.has_warned_),
+      origin_(other.origin_),
+      seconds_(other.seconds_) {
   if (other.response_) set_response(other.response_->function());
   set_listener(other.listener_ ? other.listener_->function() : py::none());
 }
@@ -76,7 +80,11 @@ PythonSimulation::PythonSimulation(PythonSimulation&& other)
       measures_(std::move(other.measures_)),
       has_warned_(other.has_warned_),
       listener_(std::move(other.listener_)),
-      response_(std::move(other.response_)) {
+      response_(std::move(other.response_)),
+      origin_(std::move(other.origin_)),
+      output_(std::move(other.output_)),
+      appended_(std::move(other.appended_)),
+      seconds_(other.seconds_) {
   other.is_made_ = false;
   listen();
 }
@@ -115,12 +123,15 @@ void PythonSimulation::set_until(std::optional<double> until) {
 }
 
 void PythonSimulation::listen() {
-  simulation_.observe({});
+  Observer observer = output_ ? output_->observer(simulation_) : Observer();
   if (records_) {
-    simulation_.observe({.contact = [this](const Contact& contact) {
+    observer.contact = [this, write = observer.contact](const Contact& contact) {
       if (records_) records_->record(contact);
-    }});
+      if (write) write(contact);
+    };
   }
+  simulation_.observe(std::move(observer));
+  hears_steps_ = is_stepping_;
   if (!listener_ && !is_stepping_) return simulation_.on_contact(nullptr);
   simulation_.on_contact([this](const Contact& contact) {
     if (is_stepping_) last_ = contact;
@@ -138,19 +149,65 @@ void PythonSimulation::listen() {
 }
 
 // Runs without the lock; calls look() with it, if given, several times a second, and ends at Ctrl-C.
-RunStatus PythonSimulation::run_interruptibly(RunLimits limits, Function<void()> look) {
-  limits.stop = [&look] {
-    const py::gil_scoped_acquire lock;
-    throw_if_interrupted();
-    if (look) look();
-    return false;
+RunStatus PythonSimulation::run_interruptibly(RunLimits limits, const Function<void()>& look) {
+  const bool is_shared = simulation_.processes().size() > 1;
+  bool has_advanced = false;  // however often checkpoints are wanted
+  limits.stop = [&] {
+    {
+      const py::gil_scoped_acquire lock;
+      throw_if_interrupted();
+      if (look) look();
+    }
+    if (!output_) return false;
+    output_->keep_current();
+    return output_->has_failed() ||
+           (std::exchange(has_advanced, true) && !is_shared && output_->schedule().is_checkpoint_due());
   };
   const py::gil_scoped_release release;
   const RunStatus status =
       measures_.is_any_wanted() ? simulation_.run(limits, measures_) : simulation_.run(limits);
-  if (status == RunStatus::stopped)
+  if (output_) output_->throw_if_failed();
+  if (status == RunStatus::stopped && is_shared)
     throw RunFailure("process 0 has been interrupted, which ends the run in all");
   return status;
+}
+
+// As run_interruptibly, in one thread, for what usually takes less time than to give up the lock: others get
+// it only if it takes long.
+RunStatus PythonSimulation::run_a_step(RunLimits limits) {
+  throw_if_interrupted();
+  bool is_long = false;
+  limits.stop = [&is_long] {
+    if (!std::exchange(is_long, true)) return false;
+    { const py::gil_scoped_release release; }
+    throw_if_interrupted();
+    return false;
+  };
+  return measures_.is_any_wanted() ? simulation_.run(limits, measures_) : simulation_.run(limits);
+}
+
+// Runs, and writes what is due on the way.
+RunStatus PythonSimulation::run_and_write(const RunLimits& limits, const Function<void()>& look) {
+  if (!output_) return run_interruptibly(limits, look);
+  const auto contacts = [&] { return simulation_.counters().contacts(); };
+  const std::uint64_t last =
+      limits.contacts < kNoLimit - contacts() ? contacts() + limits.contacts : kNoLimit;
+  const double until = limits.until.value();
+  for (;;) {
+    const double due = output_->next_time(until);
+    const std::uint64_t counted = output_->schedule().snapshot_contacts();
+    const Time next = due < until ? Time(due) : limits.until;
+    const RunStatus status =
+        run_interruptibly({.until = next, .contacts = std::min(last, counted) - contacts()}, look);
+    const py::gil_scoped_release release;
+    if (status == RunStatus::contacts_reached && contacts() == counted) output_->write_counted(simulation_);
+    const bool is_over = status == RunStatus::time_reached && next == limits.until;
+    if (status == RunStatus::time_reached && due <= until)
+      output_->write_due(simulation_, measures_, due, until);
+    if (simulation_.processes().of_first(output_->schedule().is_checkpoint_due()))
+      output_->write_checkpoint(simulation_, measures_);
+    if (is_over || (status == RunStatus::contacts_reached && contacts() == last)) return status;
+  }
 }
 
 py::object PythonSimulation::run(std::optional<double> end, std::optional<std::uint64_t> collisions,
@@ -177,10 +234,12 @@ py::object PythonSimulation::run(std::optional<double> end, std::optional<std::u
     return std::min(contacts.value_or(kNoLimit) - done.contacts(),
                     collisions.value_or(kNoLimit) - done.collision);
   };
+  const auto begin = std::chrono::steady_clock::now();
   RunStatus status = RunStatus::contacts_reached;
   do {
-    status = run_interruptibly({.until = last, .contacts = left()}, show);
+    status = run_and_write({.until = last, .contacts = left()}, show);
   } while (status == RunStatus::contacts_reached && left() > 0);
+  (output_ ? output_->seconds : seconds_).run += cli::seconds_since(begin);
   show();
   if (record) return records_->take();
   return py::int_((simulation_.counters() - before).contacts());
@@ -192,8 +251,14 @@ std::optional<Contact> PythonSimulation::step(double end) {
   const Claim claim(*this);
   last_.reset();
   const Setting<bool> stepping(is_stepping_, true);
-  listen();
-  run_interruptibly({.until = Time(end), .contacts = 1});
+  if (!hears_steps_) listen();
+  const RunLimits limits{.until = Time(end), .contacts = 1};
+  const bool is_alone = simulation_.options().threads == 1 && simulation_.processes().size() == 1;
+  if (is_alone && !output_) {
+    run_a_step(limits);
+  } else {
+    run_and_write(limits);
+  }
   of_state_.clear();
   return last_;
 }
@@ -365,6 +430,70 @@ void PythonSimulation::set_thermostat(const py::object& thermostat, std::uint64_
       thermostat.is_none() ? std::nullopt : std::optional(Thermostat(thermostat_of(thermostat), seed)));
 }
 
+void PythonSimulation::write(const std::filesystem::path& path, bool appends) {
+  const World& world = simulation().world();
+  const auto append = [&](Trajectory& trajectory) {
+    trajectory.append(world, simulation_.now());
+    trajectory.flush();
+  };
+  in_first(simulation_.processes(), [&] {
+    const bool exists = std::filesystem::exists(path);
+    if (!appends || !exists) appended_.erase(path);
+    if (!appends) {
+      Trajectory trajectory(path);
+      append(trajectory);
+      return trajectory.close();
+    }
+    if (has_single_frame(format_of(path)))
+      throw Error("files of this format have a single frame", path.string(),
+                  "write another file for each frame");
+    auto found = appended_.find(path);
+    if (found == appended_.end())
+      found = appended_.emplace(path, exists ? Trajectory::after_last_frame(path) : Trajectory(path)).first;
+    append(found->second);
+  });
+}
+
+void PythonSimulation::begin_output(const std::vector<std::string>& overrides, bool overwrites) {
+  check_idle("output");
+  if (output_) {
+    throw Error("files are being written to " + output_->directory().string(), "output",
+                "complete them first, by close or at the end of a with block");
+  }
+  Origin origin;
+  in_all(simulation_.processes(),
+         [&] { origin = with_overrides(origin_ ? *origin_ : no_origin(), overrides); });
+  output_ = std::make_unique<RunOutput>(std::move(origin), simulation_, measures_, overwrites);
+  listen();
+}
+
+void PythonSimulation::continue_output(Origin origin, const cli::FilesState& files,
+                                       const cli::RunState& state) {
+  output_ = std::make_unique<RunOutput>(std::move(origin), simulation_, measures_, files, state);
+  listen();
+}
+
+void PythonSimulation::end_output(bool is_complete) {
+  check_idle("close");
+  if (!output_) return;
+  // Whatever happens, its files are given up.
+  const std::unique_ptr<RunOutput> output = std::move(output_);
+  simulation_.observe({});
+  seconds_ = output->seconds;
+  output->finish(simulation_, measures_, is_complete);
+}
+
+std::optional<std::filesystem::path> PythonSimulation::output_directory() const {
+  simulation();
+  return output_ ? std::optional(output_->directory()) : std::nullopt;
+}
+
+RunEnd PythonSimulation::end() const {
+  check_idle("report");
+  const Origin origin = output_ ? output_->origin() : origin_ ? *origin_ : no_origin();
+  return end_of(origin, simulation_, measures_, output_ ? output_->seconds : seconds_, true);
+}
+
 void PythonSimulation::drop_references() {
   listener_.reset();
   response_.reset();
@@ -397,9 +526,16 @@ void PythonSimulation::warn_of_edit(const char* what) {
 }
 
 void PythonSimulation::check_spheres_may_change(const char* what) const {
+  check_not_recording(what);
   if (!measures_.is_any_wanted()) return;
   throw Error("measures are on, which do not allow this", what,
               "take the results, and end measuring with measure([])");
+}
+
+void PythonSimulation::check_not_recording(const char* what) const {
+  if (!output_ || !output_->has_recording()) return;
+  throw Error("a recording is being written, which does not allow this", what,
+              "do it before, or write no recording");
 }
 
 std::string PythonSimulation::save_measures() const {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,8 +20,10 @@
 #include "hardball/measure/measures.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/trajectory/trajectory.hpp"
 #include "python/bindings/callback.hpp"
 #include "python/bindings/event_records.hpp"
+#include "python/bindings/run_output.hpp"
 
 namespace hardball::python {
 
@@ -97,9 +100,31 @@ class PythonSimulation {
   void warn_of_edit(const char* what);
   /// Error: measures are on, during which spheres cannot change.
   void check_spheres_may_change(const char* what) const;
+  /// Error: a recording is being written, which allows no other spheres and no other rules.
+  void check_not_recording(const char* what) const;
   void restore_measures(std::string_view bytes, const std::string& where);
   std::string save_measures() const;
   std::vector<Measurement> results() const;
+
+  /// The scenario that this is made from; null if there is none.
+  const std::shared_ptr<const Origin>& origin() const { return origin_; }
+  void set_origin(std::shared_ptr<const Origin> origin) { origin_ = std::move(origin); }
+
+  /// Writes the present frame to a file, which is replaced, or continued if `appends` and it exists. Error:
+  /// see Trajectory.
+  void write(const std::filesystem::path& path, bool appends);
+  /// Writes files during all further runs, as the scenario with these overrides says. Error: files are being
+  /// written already; see RunOutput; here and below, it is running.
+  void begin_output(const std::vector<std::string>& overrides, bool overwrites);
+  /// Continues the files of a checkpoint.
+  void continue_output(Origin origin, const cli::FilesState& files, const cli::RunState& state);
+  /// Completes the files, and writes the results; does nothing if no files are being written. Error
+  /// (RunFailure): that is impossible.
+  void end_output(bool is_complete);
+  /// The directory of the files that are being written; nothing without.
+  std::optional<std::filesystem::path> output_directory() const;
+  /// See end_of.
+  RunEnd end() const;
 
   /// Calls visit(object) for each Python object that this refers to, for the garbage collector, until it
   /// returns something but zero, which is returned.
@@ -124,7 +149,9 @@ class PythonSimulation {
 
   void check_idle(const char* what) const;
   void listen();
-  RunStatus run_interruptibly(RunLimits limits, Function<void()> look = {});
+  RunStatus run_interruptibly(RunLimits limits, const Function<void()>& look = {});
+  RunStatus run_a_step(RunLimits limits);
+  RunStatus run_and_write(const RunLimits& limits, const Function<void()>& look = {});
   double usual_wait() const;
   template <class Query>
   auto search(double begin, double span, double end, Query&& query) const;
@@ -142,8 +169,13 @@ class PythonSimulation {
   std::optional<EventRecords> records_;  // while they are recorded
   std::optional<Contact> last_;          // of a step
   bool is_stepping_ = false;
+  bool hears_steps_ = false;  // the listener of the simulation notes them
   mutable std::optional<std::thread::id> runner_;
   std::map<std::string_view, pybind11::object> of_state_;
+  std::shared_ptr<const Origin> origin_;
+  std::unique_ptr<RunOutput> output_;                     // copies have none
+  std::map<std::filesystem::path, Trajectory> appended_;  // files to which frames are appended
+  cli::Seconds seconds_;                                  // spent in runs without output
 };
 
 }  // namespace hardball::python

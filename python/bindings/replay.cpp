@@ -18,11 +18,8 @@ namespace py = pybind11;
 namespace hardball::python {
 namespace {
 
-// How the simulation continues, as one page of HTML; the recording is made in the file `path`.
-py::bytes replay_of(const PythonSimulation& self, const std::filesystem::path& path, double until,
-                    std::optional<std::uint64_t> contacts) {
-  self.record_ahead(path, until, contacts.value_or(std::numeric_limits<std::uint64_t>::max()),
-                    viewer::kMaxReplayedBytes);
+// One page of HTML that shows a recording.
+py::bytes page_of(const std::filesystem::path& path) {
   const viewer::SharedRecording recording(path);
   const viewer::Replay replay(recording, viewer::built_page());
   std::string page;
@@ -31,10 +28,19 @@ py::bytes replay_of(const PythonSimulation& self, const std::filesystem::path& p
   return page;
 }
 
+// How the simulation continues; the recording is made in the file `path`.
+py::bytes replay_of(const PythonSimulation& self, const std::filesystem::path& path, double until,
+                    std::optional<std::uint64_t> contacts) {
+  self.record_ahead(path, until, contacts.value_or(std::numeric_limits<std::uint64_t>::max()),
+                    viewer::kMaxReplayedBytes);
+  return page_of(path);
+}
+
 }  // namespace
 
 void bind_replay(SimulationClass& simulation) {
-  simulation.def("_replay", &replay_of, py::arg("path"), py::arg("until"), py::arg("contacts"));
+  simulation.def("_replay", &replay_of, py::arg("path"), py::arg("until"), py::arg("contacts"))
+      .def_static("_page_of", &page_of, py::arg("recording"));
 }
 
 }  // namespace hardball::python

@@ -100,12 +100,15 @@ std::unique_ptr<PythonSimulation> make_simulation(
   return simulation;
 }
 
-std::unique_ptr<PythonSimulation> from_scenario(const Function<Scenario()>& read, const std::string& engine,
+std::unique_ptr<PythonSimulation> from_scenario(const cli::ScenarioChoice& choice, const std::string& engine,
                                                 std::optional<double> cell_edge, Processes* processes) {
   const EngineOptions options{.engine = value_named<EngineKind>(engine, "engine"), .cell_edge = cell_edge};
   Processes& shared = processes_or_one(processes);
   Scenario scenario;
-  in_all(shared, [&] { scenario = read(); });
+  in_all(shared, [&] {
+    scenario = choice.text ? parse_scenario(*choice.text, choice.path, choice.overrides)
+                           : load_scenario(choice.path, choice.overrides);
+  });
   require_same_scenario(scenario, shared);
   std::string notes;
   const auto simulation = [&] {
@@ -117,6 +120,7 @@ std::unique_ptr<PythonSimulation> from_scenario(const Function<Scenario()>& read
   std::unique_ptr<PythonSimulation> made = owned(simulation());
   if (!notes.empty() && PyErr_WarnEx(PyExc_UserWarning, notes.c_str(), 1) != 0) throw py::error_already_set();
   made->set_until(scenario.run.until);
+  made->set_origin(std::make_shared<const Origin>(Origin{std::move(scenario), choice}));
   return made;
 }
 
@@ -184,14 +188,14 @@ void bind_simulation(py::module_& module) {
       .def_static("_from_scenario_file",
                   [](const std::filesystem::path& path, const std::vector<std::string>& overrides,
                      const std::string& engine, std::optional<double> cell_edge, Processes* processes) {
-                    return from_scenario([&] { return load_scenario(path, overrides); }, engine, cell_edge,
+                    return from_scenario({.path = path.string(), .overrides = overrides}, engine, cell_edge,
                                          processes);
                   })
       .def_static(
           "_from_scenario_text",
           [](const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
              const std::string& engine, std::optional<double> cell_edge, Processes* processes) {
-            return from_scenario([&] { return parse_scenario(text, name, overrides); }, engine, cell_edge,
+            return from_scenario({.path = name, .overrides = overrides, .text = text}, engine, cell_edge,
                                  processes);
           })
       .def_static("_box_of_file", &box_of_file)
@@ -206,6 +210,7 @@ void bind_simulation(py::module_& module) {
   bind_edits(simulation);
   bind_saving(simulation);
   bind_replay(simulation);
+  bind_output(simulation);
 }
 
 }  // namespace hardball::python

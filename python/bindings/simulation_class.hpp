@@ -19,5 +19,6 @@ void bind_queries(SimulationClass& simulation);
 void bind_edits(SimulationClass& simulation);
 void bind_saving(SimulationClass& simulation);
 void bind_replay(SimulationClass& simulation);
+void bind_output(SimulationClass& simulation);
 
 }  // namespace hardball::python

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <ranges>
+#include <span>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -60,6 +61,16 @@ py::object indices_of(const PythonSimulation& self, const ArrayLike& ids) {
   return array_around(std::move(indices));
 }
 
+void set_all_velocities(PythonSimulation& self, const ArrayLike& velocities) {
+  const World& world = self.simulation().world();
+  const std::vector<Vec3> vectors = vectors_of(velocities, "velocities", world.box().is_flat(), world.size());
+  std::vector<VelocityEdit> edits;
+  edits.reserve(vectors.size());
+  world.for_each_by_id([&](Slot slot) { edits.push_back({world.id(slot), vectors[edits.size()]}); });
+  self.warn_of_edit("velocities");
+  self.change_velocities(edits);
+}
+
 std::optional<double> time_or_none(const py::object& time) {
   if (time.is_none()) return std::nullopt;
   const Doubles number = doubles(time, "until");
@@ -89,18 +100,25 @@ py::dict certificate(const PythonSimulation& self) {
 
 // Properties that are arrays in the order of ids, made of get(world, slot, now) for each sphere.
 void bind_arrays(SimulationClass& simulation) {
-  const auto array = [&](const char* name, auto get, const char* documentation) {
-    simulation.def_property_readonly(
-        name,
-        [name, get](PythonSimulation& self) {
-          return self.of_state(name, [&] {
-            const World& world = self.simulation().world();
-            const Time& now = self.simulation().now();
-            return by_id(world, [&](Slot slot) { return get(world, slot, now); });
-          });
-        },
-        documentation);
+  const auto getter = [](const char* name, auto get) {
+    return [name, get](PythonSimulation& self) {
+      return self.of_state(name, [&] {
+        const World& world = self.simulation().world();
+        const Time& now = self.simulation().now();
+        return by_id(world, [&](Slot slot) { return get(world, slot, now); });
+      });
+    };
   };
+  const auto array = [&](const char* name, auto get, const char* documentation) {
+    simulation.def_property_readonly(name, getter(name, get), documentation);
+  };
+  simulation.def_property("velocities",
+                          getter("velocities", [](const World& world, Slot slot,
+                                                  const Time& now) { return world.velocity(slot, now); }),
+                          &set_all_velocities,
+                          "All velocities now, in the order of ids [L/T]. Shape (size, 3). Assigning an "
+                          "array, or one vector for all, "
+                          "changes them as set_velocity does.");
   array(
       "positions", [](const World& world, Slot slot, const Time& now) { return world.position(slot, now); },
       (std::string(doc::Simulation_positions) + " Row index_of(id) is the sphere with this id.").c_str());
@@ -108,9 +126,6 @@ void bind_arrays(SimulationClass& simulation) {
       "unwrapped_positions",
       [](const World& world, Slot slot, const Time& now) { return unwrapped_position(world, slot, now); },
       "All centers now as if they had never been folded into the box [L]. Shape (size, 3).");
-  array(
-      "velocities", [](const World& world, Slot slot, const Time& now) { return world.velocity(slot, now); },
-      "All velocities now, in the order of ids [L/T]. Shape (size, 3).");
   array(
       "spins", [](const World& world, Slot slot, const Time&) { return world.spin(slot); },
       "All angular velocities, in the order of ids [1/T]. Shape (size, 3).");
@@ -139,9 +154,18 @@ void bind_numbers(SimulationClass& simulation) {
   };
   number(
       "time", [](const Simulation& self) { return self.time(); }, "The present time [T].");
-  number(
-      "box", [](const Simulation& self) { return self.setting().box(); }, doc::Box);
-  number(
+  // Made once, as they take longer than a number.
+  const auto object = [&](const char* name, auto get, const char* documentation) {
+    simulation.def_property_readonly(
+        name,
+        [name, get](PythonSimulation& self) {
+          return self.of_state(name, [&] { return get(self.simulation()); });
+        },
+        documentation);
+  };
+  object(
+      "box", [](const Simulation& self) -> Typed<"Box"> { return py::cast(self.setting().box()); }, doc::Box);
+  object(
       "gravity",
       [](const Simulation& self) { return read_only(array_of(self.setting().motion().gravity())); },
       "Acceleration of all spheres [L/T^2].");
@@ -226,12 +250,12 @@ void bind_state(SimulationClass& simulation) {
            "velocities[index_of(7)] is that of sphere 7. Rows equal ids only until spheres are removed or "
            "merge. Cost: O(log size) each. Error: no such sphere.")
       .def_property_readonly(
-          "thermostat",
+          "surfaces",
           [](const PythonSimulation& self) {
-            const std::optional<Thermostat>& thermostat = self.simulation().thermostat();
-            return thermostat ? std::optional(thermostat->kind()) : std::nullopt;
+            const std::span<const Surface> surfaces = self.simulation().setting().surfaces();
+            return std::vector<Surface>(surfaces.begin(), surfaces.end());
           },
-          "The Andersen, Rescale or Heating in use, or None.")
+          "The walls inside the box, and obstacles, as they were given: copies.")
       .def_property_readonly(
           "growth",
           [](const PythonSimulation& self) -> std::optional<std::string> {

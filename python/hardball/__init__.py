@@ -46,7 +46,11 @@ from ._hardball import (
     mpi_processes,
 )
 from ._calls import ArgumentError, explain_calls, explained
+from ._commands import Check, Tuning, Verification, VerifiedRun, check, convert, info, tune, verify
+from ._frames import Frame, Recording, Trajectory, read
+from ._output import Output
 from ._packing import Packing, PackingFailed, pack
+from ._plots import plot
 from ._simulation import Simulation
 from ._view import View
 
@@ -56,19 +60,23 @@ __all__ = [
     "Bounce",
     "Box",
     "BrokenInvariant",
+    "Check",
     "Clearance",
     "Contact",
     "Error",
+    "Frame",
     "Heating",
     "Measurement",
     "Merging",
     "NextContact",
     "Outcome",
+    "Output",
     "Packing",
     "PackingFailed",
     "Processes",
     "Quantity",
     "RayHit",
+    "Recording",
     "Rescale",
     "ResponseTable",
     "RunFailure",
@@ -78,15 +86,26 @@ __all__ = [
     "StepTable",
     "Surface",
     "TabulatedRestitution",
+    "Trajectory",
+    "Tuning",
+    "Verification",
+    "VerifiedRun",
     "View",
     "ViscoelasticRestitution",
+    "check",
+    "convert",
+    "info",
     "measure_names",
     "mpi_processes",
     "pack",
+    "plot",
+    "read",
+    "tune",
+    "verify",
     "__version__",
 ]
 
-for _base in (Simulation, Packing):
+for _base in (Simulation, Packing, Frame):
     explain_calls(_base.__mro__[1])
 for _name in __all__:
     _entity = globals()[_name]

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import ase
 
 
-_KINEMATIC = 1e60  # in files, for ASE, the mass of spheres that no collision deflects [M]
+KINEMATIC = 1e60  # in files, for ASE, the mass of spheres that no collision deflects [M]
 
 
 def arguments_of(atoms: ase.Atoms, radius: ArrayLike | None) -> dict[str, Any]:
@@ -41,5 +41,5 @@ def arguments_of(atoms: ase.Atoms, radius: ArrayLike | None) -> dict[str, Any]:
         "positions": atoms.positions,
         "velocities": velocities,
         "radius": radius,
-        "mass": np.where(masses < _KINEMATIC, masses, np.inf),
+        "mass": np.where(masses < KINEMATIC, masses, np.inf),
     }

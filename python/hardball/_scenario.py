@@ -14,6 +14,18 @@ import numpy as np
 from . import _hardball
 
 
+def scenario_text(scenario: Mapping[str, Any]) -> str:
+    """A scenario as the text of a file. Error: TOML has no such value."""
+    return "".join(f"{key} = {toml_of(value)}\n" for key, value in scenario.items())
+
+
+def changes_of(overrides: Mapping[str, Any] | None) -> list[str]:
+    """Overrides as the command line takes them. Error: they are not a dict; TOML has no such value."""
+    if overrides is not None and not isinstance(overrides, Mapping):
+        raise _hardball.Error("overrides: it is not a dict; give one such as {'run.seed': 7}")
+    return [f"{key}={toml_of(value)}" for key, value in (overrides or {}).items()]
+
+
 def toml_of(value: Any) -> str:
     """A value in TOML, on one line. Error: TOML has no such value."""
     if isinstance(value, (bool, np.bool_)):

@@ -4,18 +4,32 @@
 
 from __future__ import annotations
 
+import json
 import os
 from copy import deepcopy
 from math import inf
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Iterable, Iterator, Literal, Mapping, Sequence, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _hardball
-from ._arguments import bonds_of, engine_name, list_of, path_text, processes_of, real_number, species_pairs, whole_number
+from ._arguments import (
+    bonds_of,
+    engine_name,
+    list_of,
+    path_text,
+    processes_of,
+    real_number,
+    species_pairs,
+    truth,
+    whole_number,
+)
+from ._frames import Frame, frame_of
 from ._notebook import html_of
-from ._scenario import toml_of
+from ._output import Output
+from ._scenario import changes_of, scenario_text
 from ._view import View, is_notebook, view_of
 
 if TYPE_CHECKING:
@@ -129,14 +143,12 @@ class Simulation(_hardball.Simulation):
         where the scenario says. `processes` share the simulation if each gives the same scenario; see mpi_processes.
         Error: the same as on the command line, with its location.
         """
-        if overrides is not None and not isinstance(overrides, Mapping):
-            raise _hardball.Error("overrides: it is not a dict; give one such as {'run.seed': 7}")
-        changes = [f"{key}={toml_of(value)}" for key, value in (overrides or {}).items()]
+        changes = changes_of(overrides)
         engine = engine_name(engine)
         cell_edge = None if cell_edge is None else real_number(cell_edge, "cell_edge")
         shared = processes_of(processes)
         if isinstance(scenario, Mapping):
-            text = "".join(f"{key} = {toml_of(value)}\n" for key, value in scenario.items())
+            text = scenario_text(scenario)
             return cls._of(cls._from_scenario_text(text, "scenario", changes, engine, cell_edge, shared))
         return cls._of(cls._from_scenario_file(path_text(scenario, "scenario"), changes, engine, cell_edge, shared))
 
@@ -174,6 +186,64 @@ class Simulation(_hardball.Simulation):
         from ._ase import arguments_of
 
         return cls(**{**arguments_of(atoms, radius), **options})
+
+    @classmethod
+    def gas(
+        cls: type[Self],
+        count: int,
+        *,
+        radius: float = 0.5,
+        packing_fraction: float | None = None,
+        density: float | None = None,
+        temperature: float = 1.0,
+        boundary: str = "periodic",
+        dimensions: int = 3,
+        seed: int = 1,
+        engine: str = "auto",
+        processes: _hardball.Processes | None = None,
+    ) -> Self:
+        """A gas of equal spheres of mass one at random places, in a cubic box that is made for them.
+
+        The box follows from their packing fraction [1], or from their density, their number over its volume
+        [L^-3], or area in two dimensions. `radius` [L], kT [M L^2 T^-2]; `boundary` is 'periodic' or 'wall'. The other
+        arguments are as in Simulation. Error: both, or neither, of packing_fraction and density are given; the
+        spheres do not fit.
+        """
+        spheres = whole_number(count, "count")
+        size = real_number(radius, "radius")
+        axes = whole_number(dimensions, "dimensions")
+        if axes not in (2, 3):
+            raise _hardball.Error(f"dimensions: it is {axes}; give 2 or 3")
+        if (packing_fraction is None) == (density is None):
+            raise _hardball.Error("packing_fraction: give either it or density, by which the box is made")
+        box: dict[str, Any] = {"boundary": [boundary] * axes, "dimensions": axes}
+        if density is not None:
+            number_density = real_number(density, "density")
+            if not number_density > 0:
+                raise _hardball.Error(f"density: it is {number_density}; give a positive number")
+            box["size"] = [(spheres / number_density) ** (1 / axes)] * axes
+        else:
+            box["packing_fraction"] = real_number(packing_fraction, "packing_fraction")
+        group = {"count": spheres, "radius": size, "placement": "random", "temperature": real_number(temperature, "temperature")}
+        scenario = {"box": box, "spheres": [group], "run": {"seed": whole_number(seed, "seed")}}
+        return cls.from_scenario(scenario, engine=engine, processes=processes)
+
+    @classmethod
+    def resume(
+        cls: type[Self],
+        directory: str | os.PathLike[str],
+        *,
+        checkpoint: str | None = None,
+        processes: _hardball.Processes | None = None,
+    ) -> Self:
+        """The simulation of a run that has not ended, from its directory; further runs continue its files.
+
+        It is that of the last checkpoint, by the program or by `output`, or of another one in the directory, such as
+        'checkpoints/10.hbc'; what the files hold beyond is cut off. `close` completes them. Custom responses and
+        listeners are not saved: set them again. Error: there is no checkpoint; it or a file is damaged; another run is
+        writing to the directory.
+        """
+        return cls._of(cls._resumed(path_text(directory, "directory"), checkpoint, processes_of(processes)))
 
     @classmethod
     def load(
@@ -301,6 +371,96 @@ class Simulation(_hardball.Simulation):
         chosen = [names] if isinstance(names, str) else list_of(str, names, "names")
         interval = None if every is None else real_number(every, "every")
         self._measure(chosen, interval, real_number(start, "start"))
+
+    # --- files ---
+
+    def write(self, path: str | os.PathLike[str], *, append: bool = False) -> None:
+        """Writes the spheres as they are now to a file, in the format that its name says.
+
+        Formats: extended XYZ (.xyz, .xyz.zst), GSD (.gsd), LAMMPS dump (.lammpstrj), data file (.data), VTP (.pvd), CSV
+        (.csv), NumPy (.npy) and .sph. The file is replaced or, with `append`, continued by a frame; after each it is
+        complete. Of several processes, the first writes it. Error: the name says no format; it cannot be written; with
+        `append`, the format has a single frame, or the last frame of the file is damaged. Cost: O(size), and for the
+        first frame that is appended to a file, that of reading it.
+        """
+        self._write(path_text(path, "path"), truth(append, "append"))
+
+    def output(
+        self,
+        directory: str | os.PathLike[str] | None = None,
+        *,
+        snapshots_every: float | None = None,
+        snapshots_per_decade: int | None = None,
+        first_snapshot: float | None = None,
+        snapshots_every_contacts: int | None = None,
+        trajectory: str | Sequence[str] | None = None,
+        event_log: bool | None = None,
+        recording: bool | None = None,
+        checkpoint_every: float | None = None,
+        checkpoint_at: Sequence[float] | None = None,
+        report: bool | None = None,
+        overwrite: bool = False,
+    ) -> Output:
+        """Writes files during all further runs, like the program: those of the table [output] of a scenario.
+
+        Arguments are the keys of [output], with their meanings and defaults (docs/scenarios.md); those that are not
+        given are as in the scenario that the simulation is made of. The directory then has the trajectory, events.npy,
+        recording.hbr and checkpoint.hbc and, once the files are completed by `close` or at the end of a `with` block,
+        measures/, report.html and summary.json. Measures are those that `measure` has chosen before. Spheres cannot be
+        added or removed, nor responses replaced, while a recording is written.
+
+        :param directory: where the files are; it is made if necessary.
+        :param snapshots_every: the time between frames [T]; none are written unless this or one of the next is given.
+        :param snapshots_per_decade: or: how many frames while the time grows tenfold, from `first_snapshot` [T] on.
+        :param snapshots_every_contacts: or: how many contacts lie between frames.
+        :param trajectory: 'xyz', 'xyz.zst', 'gsd', 'lammps' or 'vtp', or several of them.
+        :param event_log: whether to write events.npy.
+        :param recording: whether to write recording.hbr, for the viewer and for `read`.
+        :param checkpoint_every: seconds of wall time between checkpoints, from which `resume` and `hardball resume` resume.
+        :param checkpoint_at: times [T] at which a checkpoint is also written, and kept.
+        :param report: whether to write report.html.
+        :param overwrite: whether files of another run in the directory are replaced.
+
+        Error: no directory is given; it holds files of another run; an unsuitable value; files are being written already.
+        """
+        keys: dict[str, Any] = {
+            "directory": None if directory is None else path_text(directory, "directory"),
+            "snapshots_every": snapshots_every,
+            "snapshots_per_decade": snapshots_per_decade,
+            "first_snapshot": first_snapshot,
+            "snapshots_every_contacts": snapshots_every_contacts,
+            "trajectory": [trajectory] if isinstance(trajectory, str) else trajectory,
+            "event_log": event_log,
+            "recording": recording,
+            "checkpoint_every": checkpoint_every,
+            "checkpoint_at": checkpoint_at,
+            "report": report,
+        }
+        given = {f"output.{key}": value for key, value in keys.items() if value is not None}
+        self._begin_output(changes_of(given), truth(overwrite, "overwrite"))
+        return Output(self)
+
+    def close(self) -> None:
+        """Completes the files that `output` has begun; does nothing if there are none. The simulation may be run further."""
+        self._end_output(True)
+
+    def report(self, path: str | os.PathLike[str]) -> None:
+        """Writes the report of the run so far: one page of HTML with the results of all measures, as the program does.
+
+        Of several processes, all call it, and the first writes. Cost: that of an audit.
+        """
+        page = self._report()
+        if self.processes.rank == 0:
+            Path(path_text(path, "path")).write_bytes(page)
+
+    def summary(self) -> dict[str, Any]:
+        """The results of the run so far, with the keys of summary.json (docs/scenarios.md). Cost: that of an audit."""
+        found: dict[str, Any] = json.loads(self._summary())
+        return found
+
+    def frame(self) -> Frame:
+        """The spheres as they are now, with all that can be done to frames of files: to_frame, to_ase and so on."""
+        return frame_of(_hardball._frame_of(self))
 
     # --- pictures ---
 

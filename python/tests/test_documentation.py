@@ -11,6 +11,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import textwrap
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -59,8 +60,18 @@ class Documentation(unittest.TestCase):
             hardball.Box.walls([1, 2, 3], faces={"z_min": {"temperature": 2}})
             hardball.Packing(hardball.pack(9)).write("packing.xyz")
             hardball.Simulation(hardball.Box.open(), positions=[], processes=None).next_event()
-            hardball.StepPotential(((1.5, -1),))"""
-        for checked in (["-p", "hardball"], ["-c", calls.replace("    ", "")]):
+            hardball.StepPotential(((1.5, -1),))
+            simulation = hardball.Simulation.gas(100, packing_fraction=0.2)
+            simulation.velocities = 2 * simulation.velocities
+            simulation.thermostat = hardball.Heating(1.0, 0.1)
+            simulation.response = 0.9
+            with simulation.output("out", trajectory=["xyz"], snapshots_every=1) as output:
+                print(output.directory)
+            frames = hardball.read("out/trajectory.xyz")
+            print(frames[::2][-1].positions[0, 0], frames[0].to_frame(), frames.path)
+            print(hardball.check("a.toml")["spheres"], hardball.tune({}).best, hardball.verify("a.toml")[0].collisions)
+            hardball.plot(simulation.results())"""
+        for checked in (["-p", "hardball"], ["-c", textwrap.dedent("            " + calls)]):
             command = [sys.executable, "-B", "-m", "mypy", "--config-file", ROOT / "pyproject.toml", *checked]
             done = subprocess.run(command, capture_output=True, text=True, cwd=Path(hardball.__file__).parents[1])
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)

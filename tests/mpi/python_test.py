@@ -24,7 +24,7 @@ PROGRAM = str(Path(sys.argv[1]).resolve())
 
 # Each process writes what `shown` is.
 SETTING = """
-import copy, json, os, pickle, signal, sys, threading
+import copy, hashlib, json, os, pickle, signal, sys, threading
 import numpy as np
 import hardball
 
@@ -40,6 +40,10 @@ def gas(**options):
 
 def state_of(simulation):
     return [simulation.event_log_hash, simulation.time, simulation.positions.tolist(), simulation.velocities.tolist()]
+
+def hash_of(name):
+    with open(name, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
 
 def error_of(call, kind=hardball.Error):
     try:
@@ -72,13 +76,16 @@ class Processes(unittest.TestCase):
             file.unlink()
         return shown
 
-    def expect_the_same(self, script):
-        """In any number of processes."""
+    def expect_the_same(self, script, of_first=()):
+        """In any number of processes, but for what only the first one shows."""
         alone = self.shown(script, None)[0]
         self.assertTrue(alone)
+        of_others = {name: value for name, value in alone.items() if name not in of_first}
         for processes in (1, 2, 3):
-            for each in self.shown(script, processes):
-                self.assertEqual(each, alone)
+            first, *others = self.shown(script, processes)
+            self.assertEqual(first, alone)
+            for each in others:
+                self.assertEqual(each, of_others)
 
     def expect_the_end_of_all(self, script, message):
         begin = time.monotonic()
@@ -177,6 +184,36 @@ class Processes(unittest.TestCase):
                 """, loaders):
                     hashes.add(json.dumps(each))
         self.assertEqual(len(hashes), 1)
+
+    def test_write_files_together(self):
+        self.expect_the_same("""
+            import shutil
+            simulation = gas()
+            simulation.measure("pressure")
+            simulation.write("now.gsd")
+            with simulation.output("out", snapshots_every=0.25, trajectory=["xyz", "gsd"], event_log=True, recording=True,
+                                   checkpoint_at=[0.5], overwrite=True):
+                simulation.run(until=0.6)
+                simulation.run(until=1)
+            resumed = hardball.Simulation.resume("out", checkpoint="checkpoints/0.5.hbc", processes=processes)
+            shown["time"] = resumed.time
+            resumed.run(until=1)
+            resumed.close()
+            simulation.report("report.html")
+            shown["hashes"] = [simulation.event_log_hash, resumed.event_log_hash, simulation.summary()["event_log_hash"]]
+            if processes.rank == 0:
+                shown["files"] = sorted(os.listdir("out"))
+                shown["bytes"] = [hash_of("out/" + name) for name in ("trajectory.xyz", "trajectory.gsd", "events.npy")]
+                shown["frames"] = [frame.time for frame in hardball.read("out/recording.hbr", every=0.25)]
+                shown["written"] = hash_of("now.gsd")
+            shown = {name: shown[name] for name in ("time", "hashes")} if processes.rank else shown
+        """, of_first=("files", "bytes", "frames", "written"))
+
+    def test_a_file_that_cannot_be_written_ends_all(self):
+        self.expect_the_end_of_all("""
+            simulation = gas()
+            simulation.output("script.py")
+        """, "hardball.Error: ")
 
     def test_some_things_may_be_asked_of_one_process(self):
         for each in self.shown("""

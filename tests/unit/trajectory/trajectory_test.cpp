@@ -276,6 +276,29 @@ TEST_P(EveryFormat, IsUntouchedUntilItGoesOn) {
   EXPECT_TRUE(files() == whole);
 }
 
+TEST_P(EveryFormat, GoesOnAfterItsLastFrame) {
+  const World world = motley_world();
+  {
+    Trajectory trajectory(path());
+    trajectory.append(world, Time(0));
+    trajectory.close();
+  }
+  if (!is_read() || has_single_frame(format())) {
+    EXPECT_THROW(Trajectory::after_last_frame(path()), Error);
+    return;
+  }
+  Trajectory::after_last_frame(path()).append(world, Time(0.25));
+  const std::filesystem::path whole = folder_ / ("whole" + GetParam());
+  Trajectory trajectory(whole);
+  for (const double time : {0.0, 0.25}) trajectory.append(world, Time(time));
+  trajectory.close();
+  EXPECT_EQ(read_text(path()), read_text(whole));
+  write_text(path(), read_text(path()) + "words");
+  if (format() != SnapshotFormat::gsd) {
+    EXPECT_THROW(Trajectory::after_last_frame(path()), Error);
+  }
+}
+
 TEST_P(EveryFormat, IsRemovedWhole) {
   {
     Trajectory trajectory(path());
