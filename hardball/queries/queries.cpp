@@ -99,8 +99,8 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
       if (its.id(slot) != id) fastest = std::max(fastest, length(velocity));
     }
     Interval looked_at{};
-    const auto look_at = [&](const World& of, Slot slot) {
-      if (of.id(slot) == id) return;
+    const auto look_at = [&](const World& of, Slot slot, Slot self) {
+      if (slot == self) return;
       const State state = motion.state_at(of.path(slot), now);
       const Relative other{state.position - from.position, state.velocity - from.velocity,
                            radius + of.base_radius(slot)};
@@ -114,8 +114,10 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
         end = std::min(end, wait * kAfterRounding);
       });
     };
+    const Slot self_in_world = world.find(id).value_or(kNoSlot);
+    const Slot self = its.find(id).value_or(kNoSlot);
     const BroadPhase::VisitSlots look_at_all = [&](std::span<const Slot> slots) {
-      for (const Slot slot : slots) look_at(its, slot);
+      for (const Slot slot : slots) look_at(its, slot, self);
     };
     bool is_scanning = !speeds || !part.phase->search_cells();
     const double usual = speeds ? speeds->usual : 0;
@@ -123,7 +125,7 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
       const double longest = half / fastest;
       if (is_scanning) return longest;
       // Cells are looked at again in each interval: so these grow.
-      constexpr double kGrowth = 0.5;
+      constexpr double kGrowth = 1.0;
       const Vec3 edges = part.phase->search_cells()->edges();
       const double first_stride = 0.5 * std::min({edges.x, edges.y, edges.z}) / (own_speed + usual);
       return std::min(longest, std::max(first_stride, kGrowth * begin));
@@ -132,10 +134,10 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
       looked_at = during;
       const Extent extent = is_scanning ? Extent() : swept(from, radius, usual, during);
       is_scanning = is_scanning || is_scan_cheaper(part, extent);
-      if (is_scanning) return for_each_sphere(part, [&](Slot slot) { look_at(its, slot); });
+      if (is_scanning) return for_each_sphere(part, [&](Slot slot) { look_at(its, slot, self); });
       part.phase->visit_cells(cells_of(*part.phase->search_cells(), extent), look_at_all);
       part.phase->visit_hollow(look_at_all);
-      for (const Slot slot : speeds->fast) look_at(world, slot);
+      for (const Slot slot : speeds->fast) look_at(world, slot, self_in_world);
     });
   }
   if (!(first.time < kNever) || first.time.high > until.high) return std::nullopt;
