@@ -35,24 +35,8 @@ double time_to_begin(const World& world, const Time& now, SphereId id, SphereId 
   return is_recorded(contact, world.last_passage()) ? kInfinity : wait;
 }
 
-// Where spheres are that a body may touch up to the end of an interval: it begins at `from`, and none of them
-// is faster than `speed`.
-Extent swept(const State& from, double radius, double speed, const Interval& during) {
-  Extent extent{from.position, from.position};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double velocity = from.velocity[axis];
-    if (velocity == 0) continue;
-    const double begin = from.position[axis] + velocity * during.begin;
-    const double end = from.position[axis] + velocity * during.end;
-    extent.low[axis] = std::min(begin, end);
-    extent.high[axis] = std::max(begin, end);
-  }
-  const double reach = speed > 0 ? speed * during.end : 0;
-  return extent.grown((radius + reach) * (1 + kRounding));
-}
-
-// The first body that a sphere touches on a path that starts now; `pass(world, slot)` says through which
-// others it passes.
+// The first body that a sphere touches on a path that starts now; `pass(slot)` says through which others it
+// passes.
 template <class Pass>
 std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId id, const Path& path,
                                             double radius, const Pass& pass, const Time& until) {
@@ -90,56 +74,54 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
   });
 
   const bool some_pass = has_passing_pairs(world) || id == kNoSphere;
-  for (const SphereSearch::Part& part : search.parts()) {
-    const World& its = *part.world;
-    const SpeedLimits* const speeds = search.speeds(now);
-    double fastest = speeds ? own_speed + speeds->fastest : 0;
-    for (Slot slot = 0; !speeds && is_periodic(box) && slot < its.size(); ++slot) {
-      const Vec3 velocity = motion.velocity_at(its.path(slot), now) - path.velocity;
-      if (its.id(slot) != id) fastest = std::max(fastest, length(velocity));
-    }
-    Interval looked_at{};
-    const auto look_at = [&](const World& of, Slot slot, Slot self) {
-      if (slot == self) return;
-      const State state = motion.state_at(of.path(slot), now);
-      const Relative other{state.position - from.position, state.velocity - from.velocity,
-                           radius + of.base_radius(slot)};
-      const auto wait_of = [&](const Relative& image) {
-        if (some_pass && pass(of, slot)) return time_to_begin(world, now, id, of.id(slot), image);
-        return time_to_touch(image);
-      };
-      for_each_touch(box, other, looked_at, end, wait_of, [&](double wait, const Vec3& separation) {
-        if (&of == &its && part.owns && !part.owns(slot)) return;
-        first.record({after(now, wait), EventKind::collision, of.id(slot), separation});
-        end = std::min(end, wait * kAfterRounding);
-      });
+  const Slot self = world.find(id).value_or(kNoSlot);
+  Interval looked_at{};
+  const auto look_at = [&](Slot slot) {
+    if (slot == self) return;
+    const State state = motion.state_at(world.path(slot), now);
+    const Relative other{state.position - from.position, state.velocity - from.velocity,
+                         radius + world.base_radius(slot)};
+    const auto wait_of = [&](const Relative& image) {
+      if (some_pass && pass(slot)) return time_to_begin(world, now, id, world.id(slot), image);
+      return time_to_touch(image);
     };
-    const Slot self_in_world = world.find(id).value_or(kNoSlot);
-    const Slot self = its.find(id).value_or(kNoSlot);
-    const BroadPhase::VisitSlots look_at_all = [&](std::span<const Slot> slots) {
-      for (const Slot slot : slots) look_at(its, slot, self);
-    };
-    bool is_scanning = !speeds || !part.phase->search_cells();
-    const double usual = speeds ? speeds->usual : 0;
-    const auto stride = [&](double begin) {
-      const double longest = half / fastest;
-      if (is_scanning) return longest;
-      // Cells are looked at again in each interval: so these grow.
-      constexpr double kGrowth = 1.0;
-      const Vec3 edges = part.phase->search_cells()->edges();
-      const double first_stride = 0.5 * std::min({edges.x, edges.y, edges.z}) / (own_speed + usual);
-      return std::min(longest, std::max(first_stride, kGrowth * begin));
-    };
-    search_in_intervals(stride, end, [&](const Interval& during) {
-      looked_at = during;
-      const Extent extent = is_scanning ? Extent() : swept(from, radius, usual, during);
-      is_scanning = is_scanning || is_scan_cheaper(part, extent);
-      if (is_scanning) return for_each_sphere(part, [&](Slot slot) { look_at(its, slot, self); });
-      part.phase->visit_cells(cells_of(*part.phase->search_cells(), extent), look_at_all);
-      part.phase->visit_hollow(look_at_all);
-      for (const Slot slot : speeds->fast) look_at(world, slot, self_in_world);
+    for_each_touch(box, other, looked_at, end, wait_of, [&](double wait, const Vec3& separation) {
+      first.record({after(now, wait), EventKind::collision, world.id(slot), separation});
+      end = std::min(end, wait * kAfterRounding);
     });
+  };
+  const auto look_at_all = [&](const Interval& during) {
+    looked_at = during;
+    for (Slot slot = 0; slot < world.size(); ++slot) look_at(slot);
+  };
+  const MovingSpheres* const moving = search.moving(now);
+  double fastest = moving ? own_speed + moving->fastest() : 0;
+  for (Slot slot = 0; !moving && is_periodic(box) && slot < world.size(); ++slot) {
+    const Vec3 velocity = motion.velocity_at(world.path(slot), now) - path.velocity;
+    if (slot != self) fastest = std::max(fastest, length(velocity));
   }
+  const double longest = half / fastest;
+  search_in_intervals([longest](double) { return longest; }, end,
+                      [&](const Interval& interval) {
+                        // Later than that, too many images of each sphere may be in reach.
+                        if (!moving || moving->usual_speed() * interval.end > 2 * half)
+                          return look_at_all(interval);
+                        looked_at = interval;
+                        for (const Slot slot : moving->unusual()) look_at(slot);
+                        const Function<void(Slot)> visit = look_at;
+                        // A first contact is likely to be near: shorter intervals come first.
+                        const double speed = own_speed + moving->usual_speed();
+                        const double shortest =
+                            moving->cell_edge() > 0 ? moving->cell_edge() / speed : kInfinity;
+                        double begin = interval.begin;
+                        do {
+                          const bool are_all_near = begin * speed > moving->extent();
+                          const double next = are_all_near ? kInfinity : begin + std::max(shortest, begin);
+                          looked_at = {begin, std::min({interval.end, end, next})};
+                          moving->for_each_near(from, radius, looked_at.begin, looked_at.end, visit);
+                          begin = looked_at.end;
+                        } while (begin < std::min(interval.end, end));
+                      });
   if (!(first.time < kNever) || first.time.high > until.high) return std::nullopt;
   return NextContact{first.time.value(), first.kind, id, first.body};
 }
@@ -453,10 +435,7 @@ std::optional<NextContact> first_contact(const SphereSearch& search, const Time&
   const Slot slot = world.slot_of(id);
   world.check_velocity(id, velocity);
   const Path path{world.position(slot, now), velocity, now};
-  const auto passes = [&](const World& its, Slot other) {
-    return world.interactions().pass(world.species(slot), its.species(other)) ||
-           (world.is_kinematic(slot) && its.is_kinematic(other));
-  };
+  const auto passes = [&](Slot other) { return pass(world, slot, other); };
   return first_contact_on(search, id, path, world.base_radius(slot), passes, until);
 }
 
@@ -466,9 +445,9 @@ std::optional<NextContact> first_contact(const SphereSearch& search, const Time&
   world.check(sphere);
   Path path{sphere.position, sphere.velocity, now};
   world.box().fold(path.position);
-  const auto passes = [&](const World& its, Slot other) {
-    return world.interactions().pass(sphere.species, its.species(other)) ||
-           (std::isinf(sphere.mass) && its.is_kinematic(other));
+  const auto passes = [&](Slot other) {
+    return world.interactions().pass(sphere.species, world.species(other)) ||
+           (std::isinf(sphere.mass) && world.is_kinematic(other));
   };
   return first_contact_on(search, kNoSphere, path, sphere.radius, passes, until);
 }

@@ -7,38 +7,6 @@
 
 namespace hardball {
 
-SpeedLimits::SpeedLimits(const World& world, const Time& now) {
-  const auto square = [&](Slot slot) {
-    const Vec3 velocity = world.velocity(slot, now);
-    return dot(velocity, velocity);
-  };
-  double squares = 0;
-  double largest = 0;
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    const double its = square(slot);
-    squares += its;
-    largest = std::max(largest, its);
-  }
-  fastest = std::sqrt(largest);
-  usual = kUsualSpeed * std::sqrt(squares / std::max(1.0, static_cast<double>(world.size())));
-  if (!(usual < fastest)) {
-    usual = fastest;
-    return;
-  }
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (!(square(slot) <= usual * usual)) fast.push_back(slot);
-  }
-}
-
-const SpeedLimits& LazySpeedLimits::at(const World& world, const Time& now) const {
-  const std::lock_guard lock(mutex_);
-  if (!limits_ || !(moment_ == now)) {
-    limits_.emplace(world, now);
-    moment_ = now;
-  }
-  return *limits_;
-}
-
 bool is_scan_cheaper(const SphereSearch::Part& part, const Extent& extent) {
   const Subdivision* const cells = part.phase ? part.phase->search_cells() : nullptr;
   if (!cells) return true;

@@ -4,9 +4,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <mutex>
-#include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,48 +11,13 @@
 #include "hardball/errors/export.hpp"
 #include "hardball/geometry/extent.hpp"
 #include "hardball/memory/function.hpp"
+#include "hardball/queries/moving_spheres.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
 
-/// The speeds of the spheres of a world at one moment: few spheres are fast.
-struct HARDBALL_EXPORT SpeedLimits {
-  /// The speed below which most spheres are, over the root mean square of all.
-  static constexpr double kUsualSpeed = 2.5;
-
-  double usual = 0;        ///< No sphere is faster, but for the fast ones [L/T].
-  double fastest = 0;      ///< No sphere is faster [L/T].
-  std::vector<Slot> fast;  ///< The spheres that are faster than usual.
-
-  SpeedLimits() = default;
-  /// The speeds at `now`. Cost: O(n).
-  SpeedLimits(const World& world, const Time& now);
-};
-
-/// SpeedLimits that are computed when they are first asked for. Copies compute their own. Const members may
-/// be called by several threads at once.
-class HARDBALL_EXPORT LazySpeedLimits {
- public:
-  LazySpeedLimits() = default;
-  LazySpeedLimits(const LazySpeedLimits&) noexcept {}
-  LazySpeedLimits& operator=(const LazySpeedLimits&) noexcept {
-    reset();
-    return *this;
-  }
-
-  /// The limits of the world, which has not changed since `reset`, at this moment.
-  const SpeedLimits& at(const World& world, const Time& now) const;
-  /// To be called when velocities have changed, or spheres are other ones.
-  void reset() { limits_.reset(); }
-
- private:
-  mutable std::mutex mutex_;
-  mutable std::optional<SpeedLimits> limits_;
-  mutable Time moment_;
-};
-
 /// The spheres of a world, as queries look for them: one after the other, or in the cells of broad phases,
-/// which know where spheres are at this moment.
+/// which know where spheres are at this moment; of first contacts among MovingSpheres.
 class HARDBALL_EXPORT SphereSearch {
  public:
   /// Some of the spheres.
@@ -70,22 +32,22 @@ class HARDBALL_EXPORT SphereSearch {
   /// Looks at all spheres of a world.
   SphereSearch(const World& world)  // NOLINT(google-explicit-constructor)
       : world_(&world), parts_{{&world, nullptr, {}}} {}
-  /// Looks at `parts`, whose spheres have the same paths as in `world`, which has them all. `speeds` are
-  /// those of `world`. All must outlive this. Without parts, all spheres are looked at.
-  SphereSearch(const World& world, std::vector<Part> parts, const LazySpeedLimits& speeds)
-      : world_(&world), parts_(std::move(parts)), speeds_(&speeds) {
-    if (parts_.empty()) *this = SphereSearch(world);
+  /// Looks at `parts`, whose spheres have the same paths as in `world`, which has them all; at all spheres if
+  /// there are none. `moving` are those of `world`. All must outlive this.
+  SphereSearch(const World& world, std::vector<Part> parts, const LazyMovingSpheres& moving)
+      : world_(&world), parts_(std::move(parts)), moving_(&moving) {
+    if (parts_.empty()) parts_.push_back({&world, nullptr, {}});
   }
 
   const World& world() const { return *world_; }
   const std::vector<Part>& parts() const { return parts_; }
-  /// The speeds of the spheres; null if all spheres are looked at.
-  const SpeedLimits* speeds(const Time& now) const { return speeds_ ? &speeds_->at(*world_, now) : nullptr; }
+  /// The spheres of the world as they move; null if all are to be looked at.
+  const MovingSpheres* moving(const Time& now) const { return moving_ ? moving_->at(*world_, now) : nullptr; }
 
  private:
   const World* world_;
   std::vector<Part> parts_;
-  const LazySpeedLimits* speeds_ = nullptr;
+  const LazyMovingSpheres* moving_ = nullptr;
 };
 
 /// Whether looking at all spheres of a part costs less than looking in the cells that an extent meets, which

@@ -136,7 +136,7 @@ SphereId Simulation::add(const Sphere& sphere) {
   check_not_growing("add");
   manager_->end_look_ahead(now_);
   const SphereId id = manager_->engine().add(sphere, now_);
-  speeds_.reset();
+  moving_.reset();
   sums_.tally.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
   is_rescheduled_ |= actors_.note_added(id, now_);
   return id;
@@ -148,7 +148,7 @@ void Simulation::remove(SphereId id) {
   const double energy = kinetic_energy(world(), world().slot_of(id), now_);
   manager_->end_look_ahead(now_);
   manager_->engine().remove(id, now_);
-  speeds_.reset();
+  moving_.reset();
   sums_.tally.note_edit(-energy, now_);
   note_removed(id);
 }

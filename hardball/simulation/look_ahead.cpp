@@ -14,7 +14,7 @@ namespace hardball {
 std::optional<NextContact> Simulation::next_contact(double until) {
   check_idle("next_contact");
   check_not_past(Time(until));
-  speeds_.reset();
+  moving_.reset();
   manager_->make_ready(now_);
   EngineBase& engine = manager_->engine();
   const Time end(until);
@@ -60,7 +60,7 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most,
   // A look-ahead does not keep such sums.
   if (actors_.depend_on_sums()) return look_ahead_in_copy(until, most, observe);
   const Activity::During running(activity_, Activity::Kind::running);
-  speeds_.reset();
+  moving_.reset();
   const Actors actors = actors_;
   const Counters before = counters();
   manager_->end_look_ahead(now_);

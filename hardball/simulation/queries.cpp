@@ -14,7 +14,7 @@
 namespace hardball {
 
 SphereSearch Simulation::search() const {
-  return {world(), manager_->engine().search_parts(now_), speeds_};
+  return {world(), manager_->engine().search_parts(now_), moving_};
 }
 
 BodyFilter Simulation::filter_of(const BodyMask& mask) const {

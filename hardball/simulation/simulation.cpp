@@ -133,7 +133,7 @@ RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
 RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
   check_idle("run");
   check_not_past(limits.until);
-  speeds_.reset();
+  moving_.reset();
   const Activity::During running(activity_, Activity::Kind::running);
   const ContactObserver listening{.on_contact = [this, measures](const Contact& contact) {
     on_every_contact(contact, measures);
@@ -208,7 +208,7 @@ void Simulation::note_merger(const Contact& contact, const Measures* measures) {
 void Simulation::call_listener(const Contact& contact, Activity::Kind activity) {
   take_next_listener();
   if (!listener_) return;
-  speeds_.reset();
+  moving_.reset();
   const Activity::During listening(activity_, activity);
   listener_(contact);
 }
@@ -252,7 +252,7 @@ void Simulation::begin_epoch(const Action& action, Actor& actor, const Time& mom
 }
 
 void Simulation::tell_of_epoch(const Growth& epoch) {
-  speeds_.reset();
+  moving_.reset();
   if (!observer_.epoch) return;
   const Activity::During running(activity_, Activity::Kind::running);
   observer_.epoch(epoch);
@@ -266,7 +266,7 @@ void Simulation::note_removed(SphereId id) {
 
 void Simulation::tell_of_changes(const Time& moment, std::span<const NewVelocity> changes,
                                  Measures* measures) {
-  speeds_.reset();
+  moving_.reset();
   if (!measures && !observer_.change) return;
   for (const NewVelocity& change : changes) {
     const Slot slot = change.slot;
@@ -435,7 +435,7 @@ void Simulation::set_threads(std::size_t threads) {
   changed.threads = threads;
   check_features(changed, processes(), setting().features());
   manager_->set_threads(threads, now_);
-  speeds_.reset();
+  moving_.reset();
 }
 
 const EngineOptions& Simulation::options() const {

@@ -360,7 +360,7 @@ class HARDBALL_EXPORT Simulation {
   ContactSums sums_;
   ValuePointer<UserData> user_data_;
   Actors actors_;
-  LazySpeedLimits speeds_;
+  LazyMovingSpheres moving_;
   Observer observer_;
   Function<void(const Contact&)> listener_;
   std::optional<Function<void(const Contact&)>> next_listener_;  // set by the listener itself

@@ -203,8 +203,8 @@ TEST(Search, CellsAnswerAsAScanDoes) {
     ASSERT_EQ(parts.size(), 1U);
     if (!parts.front().phase->search_cells()) continue;
     if (seed % 4 != 0) parts.front().cell_cost = 0.02;
-    const LazySpeedLimits speeds;
-    const SphereSearch cells(world, parts, speeds);
+    const LazyMovingSpheres moving;
+    const SphereSearch cells(world, parts, moving);
     const double duration = made.until * random.uniform();
     for (int i = 0; i < kQueriesPerWorld; ++i) {
       const Random question(1000 * seed + static_cast<std::uint64_t>(i));
@@ -231,8 +231,8 @@ TEST(Search, DomainsAnswerAsAScanDoes) {
     const Time now = engine.now();
     std::vector<SphereSearch::Part> parts = engine.search_parts(now);
     ASSERT_GT(parts.size(), 1U);
-    const LazySpeedLimits speeds;
-    const SphereSearch cells(engine.world(), parts, speeds);
+    const LazyMovingSpheres moving;
+    const SphereSearch cells(engine.world(), parts, moving);
     for (int i = 0; i < kQueriesPerWorld; ++i) {
       const Random question(1000 * seed + static_cast<std::uint64_t>(i));
       const std::string expected = answer(engine.world(), now, made.until, question);
