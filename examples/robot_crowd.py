@@ -16,7 +16,7 @@ TURNS = [(1, 0), (0.8, 0.6), (0.8, -0.6), (0.6, 0.8), (0.6, -0.8), (0, 1), (0, -
 
 
 def choose(simulation: hardball.Simulation, robot: int, way: NDArray[np.float64], looks_ahead: bool) -> list[float]:
-    """The velocity toward the goal, or the least turn from it that is free for longer."""
+    """The velocity, toward the goal or turned from it, that is free for long and leads there."""
     distance = np.sqrt(np.sum(way**2))
     x, y = way / max(distance, FRAME)
     best, best_score = [0.0, 0.0], 0.0
@@ -30,7 +30,7 @@ def choose(simulation: hardball.Simulation, robot: int, way: NDArray[np.float64]
 
 
 def ways(looks_ahead: bool) -> NDArray[np.float64]:
-    simulation = hardball.Simulation.gas(COUNT, radius=RADIUS, density=0.2, dimensions=2, boundary="wall", seed=1)
+    simulation = hardball.Simulation.gas(COUNT, radius=RADIUS, density=0.2, dimensions=2, boundary="wall", seed=4)
     # The goal of each is where another one starts.
     goals = np.roll(simulation.positions, 1, axis=0)[:, :2]
     collisions, path = 0, [simulation.positions]
