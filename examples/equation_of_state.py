@@ -1,10 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Plots the pressure of hard spheres against their density, with standard errors and theory: equation_of_state.png."""
+"""Compares the pressure of hard spheres with the formula of Carnahan and Starling. With the name of a file, draws both."""
 
-import matplotlib
+import sys
 
-matplotlib.use("agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -13,25 +12,28 @@ import hardball
 COUNT = 500
 
 
-def compressibility(packing_fraction):
-    simulation = hardball.Simulation.from_scenario(
-        {
-            "box": {"packing_fraction": packing_fraction, "boundary": ["periodic"] * 3},
-            "spheres": [{"count": COUNT, "radius": 0.5, "placement": "fcc", "temperature": 1.0}],
-            "run": {"seed": 1},
-        }
-    )
-    simulation.measure("pressure")
+def compressibility(packing_fraction: float) -> hardball.Quantity:
+    """PV/NkT of a gas after it has forgotten its start."""
+    simulation = hardball.Simulation.gas(COUNT, packing_fraction=packing_fraction)
+    simulation.run(collisions=20 * COUNT)
+    simulation.measure("pressure", start=simulation.time)
     simulation.run(collisions=100 * COUNT)
-    return simulation.results()["pressure"]["compressibility"]
+    quantity: hardball.Quantity = simulation.results()["pressure"]["compressibility"]
+    return quantity
 
 
-packing_fractions = np.linspace(0.05, 0.45, 9)
+packing_fractions = np.linspace(0.05, 0.35, 7)
 measured = [compressibility(packing_fraction) for packing_fraction in packing_fractions]
-plt.errorbar(packing_fractions, [z.value for z in measured], [z.error for z in measured], fmt="o", label="Hardball")
-plt.plot(packing_fractions, [z.theory for z in measured], label="theory")
-plt.xlabel("packing fraction")
-plt.ylabel("P V / N k T")
-plt.legend()
-plt.savefig("equation_of_state.png")
-print("the figure is equation_of_state.png")
+formula = (1 + packing_fractions + packing_fractions**2 - packing_fractions**3) / (1 - packing_fractions) ** 3
+
+print("packing fraction  PV/NkT   error   Carnahan-Starling")
+for fraction, z, expected in zip(packing_fractions, measured, formula):
+    print(f"{fraction:16.2f}  {z.value:6.3f}  {z.error:6.3f}  {expected:17.3f}")
+
+if len(sys.argv) > 1:
+    figure, axes = plt.subplots(figsize=(5, 4), layout="tight")
+    axes.errorbar(packing_fractions, [z.value for z in measured], [z.error for z in measured], fmt="o", label="Hardball")
+    axes.plot(packing_fractions, formula, label="Carnahan and Starling")
+    axes.set(xlabel="packing fraction", ylabel="PV/NkT")
+    axes.legend()
+    figure.savefig(sys.argv[1])

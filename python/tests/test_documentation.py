@@ -106,11 +106,6 @@ class Documentation(unittest.TestCase):
             with self.subTest(page):
                 self.run_page(page)
 
-    def test_the_example_makes_its_figure(self):
-        with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([sys.executable, ROOT / "examples/equation_of_state.py"], check=True, cwd=folder, capture_output=True)
-            self.assertTrue((Path(folder) / "equation_of_state.png").read_bytes().startswith(b"\x89PNG"))
-
     def test_texts_show_what_objects_are_made_of(self):
         for text in (
             "hardball.Bounce(0.9)",

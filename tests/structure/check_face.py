@@ -15,7 +15,7 @@ import re
 from checking import print_faults
 
 INCLUDE = re.compile(r'^#include [<"](hardball/[^>"]+)[>"]', re.MULTILINE)
-OF_USERS = ["README.md", "docs/*.md", "examples/*.cpp", "tests/structure/*/*.cpp"]
+OF_USERS = ["README.md", "docs/*.md", "examples/*.cpp", "examples/fetch_content/*.cpp", "tests/structure/*/*.cpp"]
 
 
 CHECK = "hardball/errors/compilation.hpp"

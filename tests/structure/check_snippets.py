@@ -12,12 +12,16 @@ import sys
 from pathlib import Path
 
 
-LANGUAGES = {"cpp": ["examples/*.cpp"], "c": ["examples/*.c", "tests/c/*.c"], "cmake": ["tests/structure/*/CMakeLists.txt"]}
+LANGUAGES = {
+    "cpp": ["examples/*.cpp"],
+    "c": ["examples/*.c", "tests/c/*.c"],
+    "cmake": ["tests/structure/*/CMakeLists.txt", "examples/*/CMakeLists.txt"],
+}
 
 
 def normal(code):
     code = re.sub(r"find_package\(hardball [\d.]+ ", "find_package(hardball ", code)
-    code = re.sub(r"(\$\{CMAKE_CURRENT_SOURCE_DIR\}/)?third_party/hardball|\$\{HARDBALL_SOURCE\}( hardball)?", "SOURCE", code)
+    code = re.sub(r"(\$\{CMAKE_CURRENT_SOURCE_DIR\}/)?(third_party/hardball|\.\./\.\.)|\$\{HARDBALL_SOURCE\}( hardball)?", "SOURCE", code)
     code = code.replace("GIT_REPOSITORY ADDRESS GIT_TAG main", "SOURCE_DIR SOURCE")
     code = re.sub(r"target_link_libraries\(\w+", "target_link_libraries(program", code)
     return [line.strip() for line in code.splitlines() if line.strip()]

@@ -15,3 +15,7 @@ run(${CMAKE_COMMAND} --build ${SCRATCH} --parallel 2)
 run(${SCRATCH}/consumer)
 run(${CMAKE_COMMAND} -D PROGRAM=${SCRATCH}/save_and_load -D EXPECTED=${SOURCE}/examples/expected/save_and_load.txt
     -P ${SOURCE}/cmake/compare_output.cmake)
+if(BY STREQUAL "FetchContent")
+  run(${CMAKE_COMMAND} -D PROGRAM=${SCRATCH}/fetch_content/my_game
+      -D EXPECTED=${SOURCE}/examples/expected/fetch_content.txt -P ${SOURCE}/cmake/compare_output.cmake)
+endif()
