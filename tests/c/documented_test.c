@@ -36,6 +36,10 @@ static void floor_of_sand(hb_setting* setting) {
   setting->gravity[2] = -9.81;
 }
 
+static void must(hb_status status) {
+  OK(status);
+}
+
 static int64_t microseconds(void) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -53,7 +57,7 @@ static hb_run_status run_within(hb_simulation* simulation, double time, int64_t 
   limits.until = time;
   limits.stop = is_over;
   limits.context = &end;
-  OK(hb_run(simulation, &limits, &status));
+  must(hb_run(simulation, &limits, &status));
   return status;
 }
 
@@ -64,7 +68,7 @@ static size_t enemies_seen(const hb_simulation* simulation, const float place[3]
   const hb_const_array along = {ways, 3 * sizeof(double), HB_F64};
   hb_mask mask = HB_MASK_INIT;
   mask.groups = kEnemy | kRock; /* what hb_set_user_data has set */
-  OK(hb_rays(simulation, count, eyes, along, 50, &mask, 2, hits));
+  must(hb_rays(simulation, count, eyes, along, 50, &mask, 2, hits));
   size_t seen = 0;
   for (size_t i = 0; i < count; ++i) {
     if (hits[i].kind == HB_KIND_COLLISION) ++seen;
