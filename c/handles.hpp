@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct hb_simulation {
 
 namespace hardball::c {
 
+/// Error: a species above 255.
+SpeciesId species_of(std::uint32_t species);
 /// The sphere that a caller describes. Error: see `completed`; a species above 255.
 Sphere sphere_of(const hb_sphere* description);
 /// The kind of a contact, which is a collision or one with a wall.

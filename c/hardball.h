@@ -268,8 +268,8 @@ HB_API void hb_free(hb_simulation* simulation);
 
 /* --- runs ----------------------------------------------------------------------------------------- */
 
-/// Returns whether a run shall stop: asked some hundred times a second, in the thread that runs. It may query
-/// the simulation, but not change or run it.
+/// Returns whether a run shall stop: asked when it begins and some hundred times a second, in the thread that
+/// runs. It may query the simulation, but not change or run it.
 typedef int hb_stop(void* context);
 
 /// The limits of a run, which stops at whichever comes first.
@@ -365,6 +365,12 @@ enum {
 /// without ids, `count` is not hb_size; another type.
 HB_API hb_status hb_read(const hb_simulation* simulation, hb_field field, const hb_id* ids, size_t count,
                          hb_array out);
+/// Reads the centers that spheres would have at `time` if they met nothing from now on [L], as hb_read reads
+/// those of now: what a display shows between two frames. They are exact up to the next contact of a sphere,
+/// beyond which it appears to enter what it hits. Error: as for hb_read; `time` is before hb_time, not a
+/// number, or beyond 1e120.
+HB_API hb_status hb_extrapolate(const hb_simulation* simulation, double time, const hb_id* ids, size_t count,
+                                hb_array out);
 /// Reads one sphere as it is now, as much of it as out->struct_size says. Error: no sphere has this id.
 HB_API hb_status hb_get_sphere(const hb_simulation* simulation, hb_id id, hb_sphere* out);
 
@@ -382,7 +388,8 @@ typedef struct hb_totals {
 
 /// Sums over the spheres now, as much of them as out->struct_size says. Cost: O(n).
 HB_API hb_status hb_get_totals(const hb_simulation* simulation, hb_totals* out);
-/// Attaches a number to a sphere, zero at first, which hb_read reads. Error: no sphere has this id.
+/// Attaches a number to a sphere, zero at first, which hb_read reads, and whose bits are the groups of
+/// hb_mask. Error: no sphere has this id.
 HB_API hb_status hb_set_user_data(hb_simulation* simulation, hb_id id, uint64_t data);
 
 /* --- edits between runs --------------------------------------------------------------------------- */
@@ -407,6 +414,17 @@ typedef struct hb_future_contact {
   uint32_t second;  ///< The id of the other sphere, or the number of the wall.
   hb_kind kind;
 } hb_future_contact;
+
+/// Which bodies a query looks for: by default, all.
+typedef struct hb_mask {
+  size_t struct_size;
+  const uint32_t* species;  ///< Spheres of these species; of all species if `species_count` is zero.
+  size_t species_count;
+  uint64_t groups;  ///< Spheres whose user data has a bit in common with it; all spheres if all bits are set.
+  int32_t walls;    ///< Whether walls are looked for: zero if they are not.
+} hb_mask;
+#define HB_MASK_INIT \
+  { sizeof(hb_mask), NULL, 0, UINT64_MAX, 1 }
 
 /// What a ray hits.
 typedef struct hb_ray_hit {
@@ -440,14 +458,35 @@ HB_API hb_status hb_first_contact(const hb_simulation* simulation, hb_id id, con
 HB_API hb_status hb_first_contact_if_added(const hb_simulation* simulation, const hb_sphere* sphere,
                                            double until, hb_future_contact* out);
 /// What each ray hits first now, up to `most` [L] from its origin, in out[0] to out[count - 1]. Directions
-/// have any length. Error: a number out of range; the box is periodic and `most` infinite.
+/// have any length; `mask` may be NULL. This many threads, at least one, share the rays, whose results do not
+/// depend on it. Error: a number out of range; the box is periodic and `most` infinite; there are no threads.
 HB_API hb_status hb_rays(const hb_simulation* simulation, size_t count, hb_const_array origins,
-                         hb_const_array directions, double most, hb_ray_hit* out);
-/// The body nearest to each point now, in out[0] to out[count - 1]. Error: a number out of range.
+                         hb_const_array directions, double most, const hb_mask* mask, uint32_t threads,
+                         hb_ray_hit* out);
+/// All that a ray enters now, up to `most` [L] from its origin, in the order of distances: it passes through
+/// spheres and obstacles, and ends at the first other wall. `*count` is how many there are, of which `out`
+/// receives the first `capacity`. `mask` may be NULL. Error: as for hb_rays.
+HB_API hb_status hb_ray_hits(const hb_simulation* simulation, const double origin[3],
+                             const double direction[3], double most, const hb_mask* mask, hb_ray_hit* out,
+                             size_t capacity, size_t* count);
+/// The body nearest to each point now, in out[0] to out[count - 1]; `mask` may be NULL. Error: a number out
+/// of range.
 HB_API hb_status hb_clearances(const hb_simulation* simulation, size_t count, hb_const_array points,
-                               hb_clearance* out);
-/// The body nearest to a sphere now, from surface to surface. Error: no sphere has this id.
-HB_API hb_status hb_clearance_of(const hb_simulation* simulation, hb_id id, hb_clearance* out);
+                               const hb_mask* mask, hb_clearance* out);
+/// The body nearest to a sphere now, from surface to surface; `mask` may be NULL. Error: no sphere has this
+/// id.
+HB_API hb_status hb_clearance_of(const hb_simulation* simulation, hb_id id, const hb_mask* mask,
+                                 hb_clearance* out);
+/// The spheres that overlap a ball around `center` with this radius [L] now, in the order of ids; those that
+/// only touch it do not. `*count` is how many there are, of which `out` receives the first `capacity`.
+/// `mask`, whose walls do not matter, may be NULL. Error: a number out of range; a negative radius.
+HB_API hb_status hb_overlap_ball(const hb_simulation* simulation, const double center[3], double radius,
+                                 const hb_mask* mask, hb_id* out, size_t capacity, size_t* count);
+/// The spheres that overlap the box from the corner `low` to the corner `high` [L] now, as hb_overlap_ball
+/// finds those in a ball. Error: a number out of range; `low` lies above `high`; it is larger than a periodic
+/// box.
+HB_API hb_status hb_overlap_box(const hb_simulation* simulation, const double low[3], const double high[3],
+                                const hb_mask* mask, hb_id* out, size_t capacity, size_t* count);
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -31,20 +33,55 @@ hb_ray_hit answer(const std::optional<RayHit>& hit) {
   return result;
 }
 
+hb_id answer(SphereId id) {
+  return id;
+}
+
 hb_clearance answer(const std::optional<Clearance>& nearest) {
   hb_clearance result{HUGE_VAL, HB_NO_ID, HB_KIND_NONE};
   if (nearest) result = {nearest->distance, nearest->body, kind_of(nearest->kind)};
   return result;
 }
 
-// Answers a question for each row: all of them, or none if one is refused.
+// Which bodies a caller looks for; all for NULL.
+BodyMask mask_of(const hb_mask* mask) {
+  BodyMask result;
+  if (mask == nullptr) return result;
+  const hb_mask defaults = HB_MASK_INIT;
+  const hb_mask chosen = completed(mask, defaults, "mask");
+  given_array(chosen.species, chosen.species_count, "mask");
+  for (std::size_t k = 0; k < chosen.species_count; ++k)
+    result.species.push_back(species_of(chosen.species[k]));
+  result.groups = chosen.groups;
+  result.walls = chosen.walls != 0;
+  return result;
+}
+
+std::vector<Vec3> vectors_of(const hb_const_array& array, std::size_t count, const char* argument) {
+  const Rows rows(array, HB_F64, count > 0, argument);
+  std::vector<Vec3> vectors;
+  vectors.reserve(count);
+  for (std::size_t row = 0; row < count; ++row) vectors.push_back(rows.vector(row));
+  return vectors;
+}
+
+// Writes the first answers, as many as there is room for.
+template <class Found, class Result>
+void write_answers(const std::vector<Found>& found, Result* out, std::size_t capacity) {
+  for (std::size_t k = 0; k < std::min(found.size(), capacity); ++k) out[k] = answer(found[k]);
+}
+
+// Writes the first of the answers that ask(simulation) finds, and how many there are.
 template <class Result, class Ask>
-void answer_all(std::size_t count, Result* out, Ask&& ask) {
-  given_array(out, count, "out");
-  std::vector<Result> results;
-  results.reserve(count);
-  for (std::size_t row = 0; row < count; ++row) results.push_back(answer(ask(row)));
-  std::ranges::copy(results, out);
+hb_status list(const hb_simulation* simulation, Result* out, std::size_t capacity, std::size_t* count,
+               Ask&& ask) {
+  return guarded([&] {
+    given_array(out, capacity, "out");
+    check_given(count, "count");
+    const auto found = ask(given(simulation, "simulation").simulation);
+    write_answers(found, out, capacity);
+    *count = found.size();
+  });
 }
 
 }  // namespace
@@ -92,28 +129,58 @@ hb_status hb_first_contact_if_added(const hb_simulation* simulation, const hb_sp
 }
 
 hb_status hb_rays(const hb_simulation* simulation, std::size_t count, hb_const_array origins,
-                  hb_const_array directions, double most, hb_ray_hit* out) {
+                  hb_const_array directions, double most, const hb_mask* mask, std::uint32_t threads,
+                  hb_ray_hit* out) {
   return guarded([&] {
     const hardball::Simulation& of = given(simulation, "simulation").simulation;
-    const Rows from(origins, HB_F64, count > 0, "origins");
-    const Rows along(directions, HB_F64, count > 0, "directions");
-    answer_all(count, out,
-               [&](std::size_t row) { return of.ray(from.vector(row), along.vector(row), most); });
+    given_array(out, count, "out");
+    const std::vector<hardball::Vec3> from = vectors_of(origins, count, "origins");
+    const std::vector<hardball::Vec3> along = vectors_of(directions, count, "directions");
+    write_answers(of.rays(from, along, most, mask_of(mask), threads), out, count);
+  });
+}
+
+hb_status hb_ray_hits(const hb_simulation* simulation, const double origin[3], const double direction[3],
+                      double most, const hb_mask* mask, hb_ray_hit* out, std::size_t capacity,
+                      std::size_t* count) {
+  return list(simulation, out, capacity, count, [&](const hardball::Simulation& of) {
+    return of.ray_hits(vector_of(&given(origin, "origin")), vector_of(&given(direction, "direction")), most,
+                       mask_of(mask));
   });
 }
 
 hb_status hb_clearances(const hb_simulation* simulation, std::size_t count, hb_const_array points,
-                        hb_clearance* out) {
+                        const hb_mask* mask, hb_clearance* out) {
   return guarded([&] {
     const hardball::Simulation& of = given(simulation, "simulation").simulation;
-    const Rows at(points, HB_F64, count > 0, "points");
-    answer_all(count, out, [&](std::size_t row) { return of.clearance(at.vector(row)); });
+    given_array(out, count, "out");
+    const hardball::BodyMask bodies = mask_of(mask);
+    std::vector<std::optional<hardball::Clearance>> nearest;
+    nearest.reserve(count);
+    for (const hardball::Vec3& point : vectors_of(points, count, "points"))
+      nearest.push_back(of.clearance(point, bodies));
+    write_answers(nearest, out, count);
   });
 }
 
-hb_status hb_clearance_of(const hb_simulation* simulation, hb_id id, hb_clearance* out) {
+hb_status hb_clearance_of(const hb_simulation* simulation, hb_id id, const hb_mask* mask, hb_clearance* out) {
   return guarded([&] {
     check_given(out, "out");
-    *out = answer(given(simulation, "simulation").simulation.clearance(id));
+    *out = answer(given(simulation, "simulation").simulation.clearance(id, mask_of(mask)));
+  });
+}
+
+hb_status hb_overlap_ball(const hb_simulation* simulation, const double center[3], double radius,
+                          const hb_mask* mask, hb_id* out, std::size_t capacity, std::size_t* count) {
+  return list(simulation, out, capacity, count, [&](const hardball::Simulation& of) {
+    return of.overlap(vector_of(&given(center, "center")), radius, mask_of(mask));
+  });
+}
+
+hb_status hb_overlap_box(const hb_simulation* simulation, const double low[3], const double high[3],
+                         const hb_mask* mask, hb_id* out, std::size_t capacity, std::size_t* count) {
+  return list(simulation, out, capacity, count, [&](const hardball::Simulation& of) {
+    const hardball::Extent extent{vector_of(&given(low, "low")), vector_of(&given(high, "high"))};
+    return of.overlap(extent, mask_of(mask));
   });
 }

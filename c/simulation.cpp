@@ -304,6 +304,23 @@ hb_status hb_read(const hb_simulation* simulation, hb_field field, const hb_id* 
   });
 }
 
+hb_status hb_extrapolate(const hb_simulation* simulation, double time, const hb_id* ids, std::size_t count,
+                         hb_array out) {
+  return guarded([&] {
+    const hardball::Simulation& of = given(simulation, "simulation").simulation;
+    constexpr double kLatest = 1e120;
+    if (!(time >= of.time() && time <= kLatest))
+      throw hardball::Error(
+          "it is " + hardball::to_text(time) + ", and now it is " + hardball::to_text(of.time()), "time",
+          "give a time that is not in the past, up to 1e120");
+    const OutputRows rows(out, HB_F64, count, hardball::kAxes, "out");
+    const hardball::World& world = of.world();
+    const std::vector<hardball::Slot> slots = slots_of(world, ids, count);
+    for (std::size_t row = 0; row < count; ++row)
+      rows.write_vector(row, world.position(slots[row], hardball::Time(time)));
+  });
+}
+
 hb_status hb_get_sphere(const hb_simulation* simulation, hb_id id, hb_sphere* out) {
   return guarded([&] {
     check_result(out);

@@ -93,12 +93,6 @@ World world_of(const hb_setting& setting) {
   return world;
 }
 
-SpeciesId species_of(std::uint32_t species) {
-  constexpr std::uint32_t kMost = std::numeric_limits<SpeciesId>::max();
-  if (species > kMost) throw Error("it is " + to_text(species), "species", "give 0 to " + to_text(kMost));
-  return static_cast<SpeciesId>(species);
-}
-
 // The caller's arrays of spheres.
 class SphereRows {
  public:
@@ -141,6 +135,12 @@ void check_row(const World& world, const SphereRows& rows, std::size_t row) {
 }
 
 }  // namespace
+
+SpeciesId species_of(std::uint32_t species) {
+  constexpr std::uint32_t kMost = std::numeric_limits<SpeciesId>::max();
+  if (species > kMost) throw Error("it is " + to_text(species), "species", "give 0 to " + to_text(kMost));
+  return static_cast<SpeciesId>(species);
+}
 
 Sphere sphere_of(const hb_sphere* description) {
   const hb_sphere defaults = HB_SPHERE_INIT;

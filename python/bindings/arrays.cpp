@@ -168,6 +168,26 @@ std::vector<std::uint32_t> counts_of(const py::handle& object, const std::string
   return whole({array.data(), array.data() + array.size()}, name, most);
 }
 
+std::vector<std::uint64_t> bits_of(const py::handle& object, const std::string& name, std::size_t count) {
+  refuse_truths(object, name);
+  // Of large numbers, NumPy would make floats.
+  const py::array array = py::module_::import("numpy").attr("array")(object, py::arg("dtype") = "object");
+  if (array.ndim() > 0 && (array.ndim() > 1 || static_cast<std::size_t>(array.size()) != count)) {
+    refuse_shape(array, name, "give one number, or as many as there are spheres, " + std::to_string(count));
+  }
+  std::vector<std::uint64_t> numbers;
+  for (const py::handle element : array.attr("ravel")()) {
+    const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(element.ptr()));
+    if (number) numbers.push_back(PyLong_AsUnsignedLongLong(number.ptr()));
+    if (PyErr_Occurred() == nullptr) continue;
+    PyErr_Clear();
+    throw Error("there is " + py::repr(element).cast<std::string>(), name,
+                "give whole numbers from 0 to 2^64 - 1");
+  }
+  if (array.ndim() == 0) return std::vector<std::uint64_t>(count, numbers.front());
+  return numbers;
+}
+
 py::array_t<double> array_of(const Vec3& vector) {
   return py::array_t<double>(3, &vector.x);
 }

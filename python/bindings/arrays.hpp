@@ -49,6 +49,11 @@ std::vector<std::uint32_t> counts_of(const pybind11::handle& object, const std::
 std::vector<std::uint32_t> counts_of(const pybind11::handle& object, const std::string& name,
                                      std::uint32_t most);
 
+/// An array of shape (count) of whole numbers of 64 bits, or one number for all. Error: it has another shape
+/// or length; an element is not such a number.
+std::vector<std::uint64_t> bits_of(const pybind11::handle& object, const std::string& name,
+                                   std::size_t count);
+
 /// A new array.
 pybind11::array_t<double> array_of(const Vec3& vector);
 

@@ -92,6 +92,14 @@ void remove(PythonSimulation& self, const ArrayLike& ids) {
   }
 }
 
+void set_user_data(PythonSimulation& self, const ArrayLike& ids, const ArrayLike& data) {
+  const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
+  const std::vector<std::uint64_t> numbers = bits_of(data, "data", spheres.size());
+  Simulation& simulation = self.simulation_to_edit();
+  for (const SphereId id : spheres) static_cast<void>(simulation.world().slot_of(id));
+  for (std::size_t i = 0; i < spheres.size(); ++i) simulation.set_user_data(spheres[i], numbers[i]);
+}
+
 void grow(PythonSimulation& self, double rate, std::optional<double> packing_fraction,
           std::optional<double> compressibility) {
   GrowthRules rules;
@@ -125,6 +133,11 @@ void bind_edits(SimulationClass& simulation) {
            "Removes the sphere with this id, now, or several. The others keep their ids, but in arrays those "
            "above move up a row: see index_of. Cost: that of a collision each. Error, and nothing changes: "
            "no such sphere; one is given twice; measures are on.")
+      .def("set_user_data", &set_user_data, py::arg("ids"), py::arg("data"),
+           "Attaches a number from 0 to 2^64 - 1 to a sphere, or to several: ids of shape (n,), data of "
+           "shape (n,), or one number for all. Queries take its bits for the groups of a sphere. It changes "
+           "no history, and is saved. Error, and nothing changes: no such sphere; another shape; not a whole "
+           "number.")
       .def("set_thermostat", &set_thermostat, py::arg("thermostat"), py::arg("seed") = 1,
            "Replaces the thermostat, which starts now; None removes it. Warns as set_velocity does.")
       .def_property(

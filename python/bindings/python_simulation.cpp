@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "apps/cli/seconds_since.hpp"
@@ -325,11 +326,58 @@ std::optional<NextContact> PythonSimulation::first_contact(SphereId id, const Ve
                 [&](double horizon) { return simulation_.first_contact(id, velocity, horizon); });
 }
 
-std::optional<RayHit> PythonSimulation::ray(const Vec3& origin, const Vec3& direction, double most) const {
+// A distance that a ray goes in little time.
+double PythonSimulation::usual_length() const {
   constexpr double kLargestRadii = 1000;
   const double largest = simulation().world().largest_radius();
-  return search(0, largest > 0 ? kLargestRadii * largest : 1, most,
-                [&](double horizon) { return simulation_.ray(origin, direction, horizon); });
+  return largest > 0 ? kLargestRadii * largest : 1;
+}
+
+std::optional<RayHit> PythonSimulation::ray(const Vec3& origin, const Vec3& direction, double most,
+                                            const BodyMask& mask) const {
+  return search(0, usual_length(), most,
+                [&](double horizon) { return simulation_.ray(origin, direction, horizon, mask); });
+}
+
+std::vector<RayHit> PythonSimulation::ray_hits(const Vec3& origin, const Vec3& direction, double most,
+                                               const BodyMask& mask) const {
+  std::vector<RayHit> hits;
+  search(0, usual_length(), most, [&](double horizon) {
+    hits = simulation_.ray_hits(origin, direction, horizon, mask);
+    return false;
+  });
+  return hits;
+}
+
+std::vector<std::optional<RayHit>> PythonSimulation::rays(std::vector<Vec3> origins,
+                                                          std::vector<Vec3> directions, double most,
+                                                          const BodyMask& mask, std::size_t threads) const {
+  std::vector<std::optional<RayHit>> hits;
+  // Those that have hit nothing yet go on.
+  std::vector<std::size_t> left;
+  search(0, usual_length(), most, [&](double horizon) {
+    std::vector<std::optional<RayHit>> found = simulation_.rays(origins, directions, horizon, mask, threads);
+    if (hits.empty()) {
+      hits = std::move(found);
+      left.resize(hits.size());
+      std::iota(left.begin(), left.end(), std::size_t{0});
+    } else {
+      for (std::size_t i = 0; i < left.size(); ++i) hits[left[i]] = found[i];
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      if (hits[left[i]]) continue;
+      left[kept] = left[i];
+      origins[kept] = origins[i];
+      directions[kept] = directions[i];
+      ++kept;
+    }
+    left.resize(kept);
+    origins.resize(kept);
+    directions.resize(kept);
+    return left.empty();
+  });
+  return hits;
 }
 
 // Runs a copy without listeners. Calls watch(simulation) before, and check(simulation) several times a

@@ -71,10 +71,15 @@ class PythonSimulation {
   std::optional<Contact> step(double until);
   /// The next contact up to `until` [T], without carrying it out. Error: KeyboardInterrupt, too.
   std::optional<NextContact> next_event(double until);
-  /// See Simulation::first_contact, and Simulation::ray.
+  /// See the functions of these names in Simulation. Error: KeyboardInterrupt, too, here and below.
   std::optional<NextContact> first_contact(SphereId id, const Vec3& velocity, double until) const;
-  std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double most) const;
-  /// See Simulation::contacts_within. Error: KeyboardInterrupt, too, here and below.
+  std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double most,
+                            const BodyMask& mask) const;
+  std::vector<RayHit> ray_hits(const Vec3& origin, const Vec3& direction, double most,
+                               const BodyMask& mask) const;
+  std::vector<std::optional<RayHit>> rays(std::vector<Vec3> origins, std::vector<Vec3> directions,
+                                          double most, const BodyMask& mask, std::size_t threads) const;
+  /// See Simulation::contacts_within.
   std::vector<Contact> contacts_within(double duration, std::uint64_t most);
   /// Records in a file how the simulation would continue, up to `until` [T] or for a number of contacts,
   /// without interference: listeners are not called. Error: as for run; the recording grows beyond
@@ -155,6 +160,7 @@ class PythonSimulation {
   double usual_wait() const;
   template <class Query>
   auto search(double begin, double span, double end, Query&& query) const;
+  double usual_length() const;
   template <class Watch, class Check>
   void run_ahead(double until, std::uint64_t contacts, Watch&& watch, Check&& check) const;
 

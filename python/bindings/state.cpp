@@ -141,6 +141,16 @@ void bind_arrays(SimulationClass& simulation) {
   array(
       "species", [](const World& world, Slot slot, const Time&) { return world.species(slot); },
       "All species, in the order of ids.");
+  simulation.def_property_readonly(
+      "user_data",
+      [](PythonSimulation& self) {
+        return self.of_state("user_data", [&] {
+          const Simulation& of = self.simulation();
+          const World& world = of.world();
+          return by_id(world, [&](Slot slot) { return of.user_data(world.id(slot)); });
+        });
+      },
+      "The numbers that set_user_data has attached to all spheres, in the order of ids; zero at first.");
   array(
       "ids", [](const World& world, Slot slot, const Time&) { return world.id(slot); },
       "The ids of all spheres, ascending: 0 to size-1, until spheres are removed or merge. Row k of every "

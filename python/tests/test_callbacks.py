@@ -9,6 +9,7 @@ import pickle
 import resource
 import signal
 import threading
+import time
 import unittest
 import weakref
 
@@ -360,6 +361,27 @@ class Threads(unittest.TestCase):
         self.assertEqual(len(simulation._run(None, None, 50_000, True, on_progress)), 50_000)
         self.assertEqual(outcomes, ["refused"] * 3)
 
+    def test_many_rays_release_the_gil(self):
+        simulation = gas()
+        ways = np.random.default_rng(1).normal(size=(500, 3))
+        stop = threading.Event()
+
+        def cast():
+            while not stop.is_set():
+                simulation.rays([4.0, 4, 4], ways, 1e3, species=9)
+
+        thread = threading.Thread(target=cast)
+        thread.start()
+        try:
+            # With the GIL, the other thread would be seen only between two casts.
+            with self.assertRaisesRegex(hardball.RunFailure, "running in another thread"):
+                end = time.monotonic() + 60
+                while time.monotonic() < end:
+                    simulation.collisions
+        finally:
+            stop.set()
+            thread.join()
+
     def test_queries_end_at_control_c(self):
         lone = hardball.Simulation(
             hardball.Box.periodic(10), positions=[[5, 5, 5], [5, 7, 5]], velocities=[[1, 0, 0], [1.3, 0, 0]], radius=0.5
@@ -368,6 +390,8 @@ class Threads(unittest.TestCase):
             lambda: lone.contacts_within(1e12),
             lambda: lone.positions_at(1e12),
             lambda: lone.ray([5, 6, 5], [1, 0, 0], 1e9),
+            lambda: lone.ray_hits([5, 6, 5], [1, 0, 0], 1e9),
+            lambda: lone.rays([[5, 5, 5], [5, 6, 5]], [1, 0, 0], 1e9),
             lambda: lone.first_contact(0, [2, 0, 0], 1e9),
             lambda: gas().contacts_within(1e12),
         )

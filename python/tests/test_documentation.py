@@ -65,6 +65,10 @@ class Documentation(unittest.TestCase):
             simulation.velocities = 2 * simulation.velocities
             simulation.thermostat = hardball.Heating(1.0, 0.1)
             simulation.response = 0.9
+            simulation.set_user_data([1, 2], 4)
+            rays = simulation.rays([1, 1, 1], [[1, 0, 0], [0, 1, 0]], 5, threads=2, groups=4, walls=False)
+            print(rays["distance"].min(), simulation.overlap([1, 1, 1], 2, species=[0, 1]) + 1, simulation.user_data[0])
+            print([hit.body for hit in simulation.ray_hits([1, 1, 1], [1, 0, 0], 5, species=1)])
             with simulation.output("out", trajectory=["xyz"], snapshots_every=1) as output:
                 print(output.directory)
             frames = hardball.read("out/trajectory.xyz")

@@ -145,6 +145,128 @@ class Runs(unittest.TestCase):
         self.assertEqual(simulation.clearance(0).distance, 2)
         self.assertEqual(simulation.clearance([2, 0, 3]).body, 0)
 
+    def test_a_ray_enters_all_that_lies_on_it(self):
+        simulation = hardball.Simulation(hardball.Box.walls(10), positions=[[2, 5, 5], [6, 5, 5]], radius=0.5)
+        hits = [(hit.kind, hit.body, hit.distance) for hit in simulation.ray_hits([0, 5, 5], [2, 0, 0], most=100)]
+        self.assertEqual(hits, [("collision", 0, 1.5), ("collision", 1, 5.5), ("wall", 1, 10.0)])
+        self.assertEqual(len(simulation.ray_hits([0, 5, 5], [2, 0, 0], most=3)), 1)
+        # Images are hits of their own, also beyond the length at which a search looks up.
+        lone = hardball.Simulation(hardball.Box.periodic(10), positions=[[5, 5, 5]], radius=0.5)
+        far = lone.ray_hits([0, 5, 5], [1, 0, 0], most=5000)
+        np.testing.assert_array_equal([hit.distance for hit in far], 4.5 + 10 * np.arange(500))
+
+    def test_many_rays_hit_what_each_of_them_hits(self):
+        random = np.random.default_rng(2)
+        dense = gas()
+        sparse = hardball.Simulation(hardball.Box.periodic(2000), positions=[[100, 100, 100], [1500, 100, 100]], radius=0.5)
+        sparse_ways = np.concatenate([np.eye(3), random.normal(size=(7, 3))])
+        for simulation, origins, ways, most in (
+            (dense, random.uniform(0, 8, (50, 3)), random.normal(size=(50, 3)), 5),
+            (sparse, np.tile([200.0, 100, 100], (10, 1)), sparse_ways, 1e4),
+        ):
+            hits = simulation.rays(origins, ways, most)
+            self.assertEqual(hits.shape, (len(ways),))
+            self.assertEqual(hits.tobytes(), simulation.rays(origins, ways, most, threads=3).tobytes())
+            kinds = set()
+            for origin, way, found in zip(origins, ways, hits):
+                hit = simulation.ray(origin, way, most)
+                kinds.add(int(found["kind"]))
+                if hit is None:
+                    self.assertEqual((found["kind"], found["body"], found["distance"]), (2, 2**32 - 1, np.inf))
+                    self.assertTrue(np.isnan([found["point"], found["normal"]]).all())
+                    continue
+                self.assertEqual((found["kind"], found["body"], found["distance"]), (0, hit.body, hit.distance))
+                np.testing.assert_array_equal([found["point"], found["normal"]], [hit.point, hit.normal])
+            self.assertEqual(kinds, {0, 2})
+
+    def test_one_vector_stands_for_all_rays(self):
+        simulation = hardball.Simulation(hardball.Box.walls(10), positions=[[5, 5, 5]], radius=0.5)
+        ways = np.concatenate([np.eye(3), -np.eye(3)])
+        around = simulation.rays([2.0, 2, 2], ways, most=100)
+        np.testing.assert_array_equal(around["kind"], 1)
+        np.testing.assert_array_equal(around["body"], [1, 3, 5, 0, 2, 4])
+        np.testing.assert_array_equal(around["distance"], [8, 8, 8, 2, 2, 2])
+        np.testing.assert_array_equal(simulation.rays([[1.0, 5, 5], [1, 6, 5]], [1, 0, 0], 100)["distance"], [3.5, 9])
+        self.assertEqual(simulation.rays([1, 5, 5], [1, 0, 0], 100).shape, (1,))
+        self.assertEqual(simulation.rays(np.empty((0, 3)), [1, 0, 0], 100).shape, (0,))
+        flat = hardball.Simulation(hardball.Box.flat_walls(10), positions=[[5, 5]], radius=0.5)
+        np.testing.assert_array_equal(flat.rays([1, 5], [[1, 0], [0, 1]], 100)["distance"], [3.5, 5])
+        for arguments, problem in (
+            (([[1, 1, 1]] * 2, [[1, 1, 1]] * 3, 5), "2 origins and 3 directions"),
+            (([1, 1, 1], [1, 0, 0], 5, 0), "there are no threads"),
+            (([1, 1, 1], [0, 0, 0], 5), "direction"),
+            (([1, 1, 1], [[1, 0]], 5), "directions: .*three dimensions"),
+            (([[[1, 1, 1]]], [1, 0, 0], 5), "origins: .*shape"),
+        ):
+            with self.assertRaisesRegex(hardball.Error, problem):
+                simulation.rays(*arguments)
+
+    def test_spheres_in_a_ball_or_a_box(self):
+        simulation = hardball.Simulation(hardball.Box.walls(10), positions=[[2, 5, 5], [6, 5, 5]], radius=0.5)
+        found = simulation.overlap([4, 5, 5], 1.75)
+        self.assertEqual((found.dtype, found.tolist()), (np.uint32, [0, 1]))
+        self.assertEqual(simulation.overlap([4, 5, 5], radius=1.5).tolist(), [])  # touches both
+        self.assertEqual(simulation.overlap(low=[2.25, 0, 0], high=[5.5, 10, 10]).tolist(), [0])
+        flat = hardball.Simulation(hardball.Box.flat_walls(10), positions=[[2, 5], [6, 5]], radius=0.5)
+        self.assertEqual(flat.overlap(low=[2.25, 0], high=[5.5, 10]).tolist(), [0])
+        self.assertEqual(flat.overlap([6, 4], 1).tolist(), [1])
+        for arguments, options in (((), {}), (([1, 1, 1],), {}), ((), {"radius": 1}), ((), {"low": [1, 1, 1]})):
+            with self.assertRaisesRegex(hardball.Error, "give either center and radius, or low and high"):
+                simulation.overlap(*arguments, **options)
+        for options in ({"center": [1, 1, 1]}, {"radius": 1}):
+            with self.assertRaisesRegex(hardball.Error, "give either center and radius, or low and high"):
+                simulation.overlap(low=[0, 0, 0], high=[1, 1, 1], **options)
+        for options in ({"center": [1, 1, 1], "radius": -1}, {"low": [3, 3, 3], "high": [2, 4, 4]}):
+            with self.assertRaises(hardball.Error):
+                simulation.overlap(**options)
+
+    def test_queries_look_for_some_bodies(self):
+        simulation = hardball.Simulation(
+            hardball.Box.walls(10), positions=[[2, 5, 5], [6, 5, 5]], radius=0.5, species=[0, 3]
+        )
+        simulation.set_user_data([0, 1], [1, 2**63])
+        line = ([0, 5, 5], [1, 0, 0], 100)
+        for mask in ({"species": 3}, {"species": [3, 7]}, {"groups": 2**63 + 2}, {"species": np.array([3, 0]), "groups": 2**63}):
+            self.assertEqual(simulation.ray(*line, **mask).body, 1)
+            self.assertEqual(simulation.rays(*line, **mask)["body"].tolist(), [1])
+            self.assertEqual([hit.body for hit in simulation.ray_hits(*line, **mask, walls=False)], [1])
+            self.assertEqual(simulation.clearance([5, 5, 9], **mask, walls=False).body, 1)
+            self.assertEqual(simulation.clearance(0, **mask, walls=False).body, 1)
+            self.assertEqual(simulation.overlap([4, 5, 5], 3, **mask).tolist(), [1])
+            self.assertEqual(simulation.overlap(low=[1, 4, 4], high=[7, 6, 6], **mask).tolist(), [1])
+        self.assertEqual(simulation.ray(*line, species=3, groups=1).kind, "wall")
+        self.assertIsNone(simulation.ray(*line, species=3, groups=1, walls=False))
+        self.assertEqual(simulation.clearance([5, 5, 9]).kind, "wall")
+        self.assertEqual(simulation.overlap([4, 5, 5], 3, groups=0).tolist(), [])
+        self.assertEqual(simulation.overlap([4, 5, 5], 3, groups=None, species=None).tolist(), [0, 1])
+        for mask, problem in (
+            ({"species": []}, "species: there are none"),
+            ({"species": 256}, "species: .*from 0 to 255"),
+            ({"species": "red"}, "species: "),
+            ({"groups": -1}, "it takes .*groups"),
+            ({"walls": "no"}, "it takes .*walls"),
+            ({"group": 1}, "did you mean groups="),
+        ):
+            with self.assertRaisesRegex(hardball.Error, problem):
+                simulation.ray(*line, **mask)
+
+    def test_user_data_stays_with_a_sphere(self):
+        simulation = gas()
+        np.testing.assert_array_equal(simulation.user_data, np.zeros(125, np.uint64))
+        simulation.set_user_data(3, 2**64 - 1)
+        simulation.set_user_data([5, 4], np.array([7, 8], np.uint16))
+        simulation.set_user_data([1, 2], 9)
+        before = [0, 9, 9, 2**64 - 1, 8, 7, 0]
+        self.assertEqual(simulation.user_data[:7].tolist(), before)
+        simulation.run(until=1)
+        self.assertEqual(hardball.Simulation.load(simulation.save()).user_data[:7].tolist(), before)
+        simulation.remove(0)
+        self.assertEqual(simulation.user_data[:6].tolist(), before[1:])
+        for ids, data in (([1, 0], 5), (1, -1), (1, 2**64), (1, 0.5), (1, True), ([1, 2], [1]), (1, "a"), ([1, 2], [[1, 2]])):
+            with self.assertRaises(hardball.Error):
+                simulation.set_user_data(ids, data)
+        self.assertEqual(simulation.user_data[:6].tolist(), before[1:])
+
 
 class Scenarios(unittest.TestCase):
     def test_hashes_are_those_of_the_command_line(self):

@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: MIT */
 
 /* What docs/c.md shows and no example has. */
+#include <time.h>
+
 #include "checks.h"
 
 typedef struct Ship {
@@ -34,7 +36,49 @@ static void floor_of_sand(hb_setting* setting) {
   setting->gravity[2] = -9.81;
 }
 
+static void must(hb_status status) {
+  OK(status);
+}
+
+static int64_t microseconds(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * (int64_t)1000000 + now.tv_nsec / 1000;
+}
+
+static int is_over(void* end) {
+  return microseconds() >= *(const int64_t*)end;
+}
+
+static hb_run_status run_within(hb_simulation* simulation, double time, int64_t budget) {
+  int64_t end = microseconds() + budget;
+  hb_limits limits = HB_LIMITS_INIT;
+  hb_run_status status;
+  limits.until = time;
+  limits.stop = is_over;
+  limits.context = &end;
+  must(hb_run(simulation, &limits, &status));
+  return status;
+}
+
+static size_t enemies_seen(const hb_simulation* simulation, const float place[3], size_t count,
+                           const double* ways, hb_ray_hit* hits) {
+  enum { kEnemy = 2, kRock = 4 };
+  const hb_const_array eyes = {place, 0, HB_F32}; /* one for all */
+  const hb_const_array along = {ways, 3 * sizeof(double), HB_F64};
+  hb_mask mask = HB_MASK_INIT;
+  mask.groups = kEnemy | kRock; /* what hb_set_user_data has set */
+  must(hb_rays(simulation, count, eyes, along, 50, &mask, 2, hits));
+  size_t seen = 0;
+  for (size_t i = 0; i < count; ++i) {
+    if (hits[i].kind == HB_KIND_COLLISION) ++seen;
+  }
+  return seen;
+}
+
 int main(void) {
+  const double ways[3][3] = {{1, 1, 0}, {-1, 0, 0}, {0, 0, 1}};
+  hb_ray_hit hits[3];
   const Ship ships[2] = {{"a", {3, 3, 3}, 1}, {"b", {6, 6, 3}, 2}};
   hb_setting setting = HB_SETTING_INIT;
   hb_world* world = world_with_ships(ships, 2);
@@ -43,6 +87,10 @@ int main(void) {
   OK(hb_start(world, NULL, &simulation));
   OK(hb_get_totals(simulation, &totals));
   CHECK(totals.momentum[2] == 3);
+  OK(hb_set_user_data(simulation, 1, 2));
+  CHECK(enemies_seen(simulation, ships[0].place, 3, ways[0], hits) == 1 && hits[0].body == 1);
+  CHECK(run_within(simulation, 1, 0) == HB_RUN_STOPPED && hb_time(simulation) == 0);
+  CHECK(run_within(simulation, 1, 600000000) == HB_RUN_TIME_REACHED && hb_time(simulation) == 1);
   hb_free(simulation);
   hb_world_free(world);
   floor_of_sand(&setting);

@@ -22,6 +22,7 @@ int main(void) {
   CHECK(sizeof(hb_spheres) >= 184 && offsetof(hb_spheres, species) == 160);
   CHECK(sizeof(hb_options) >= 24 && offsetof(hb_options, engine) == 20);
   CHECK(sizeof(hb_limits) >= 48 && offsetof(hb_limits, context) == 40);
+  CHECK(sizeof(hb_mask) >= 40 && offsetof(hb_mask, walls) == 32);
   CHECK(sizeof(hb_totals) >= 64 && offsetof(hb_totals, mass) == 56);
   /* The last of each enumeration. */
   CHECK(HB_NO_MEMORY == 4 && HB_U64 == 3 && HB_KIND_WALL == 2 && HB_BOUNDARY_FLAT == 3 && HB_SHAPE_CONE == 4);

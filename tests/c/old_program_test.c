@@ -32,6 +32,12 @@ typedef struct OldLimits {
   double until;
 } OldLimits;
 
+typedef struct OldMask {
+  size_t struct_size;
+  const uint32_t* species;
+  size_t species_count;
+} OldMask;
+
 typedef struct OldTotals {
   size_t struct_size;
   double energy;
@@ -53,6 +59,7 @@ int main(void) {
   OldSpheres* spheres =
       on_heap(&(OldSpheres){sizeof(OldSpheres), 2, {places, sizeof places[0], HB_F64}}, sizeof *spheres);
   OldLimits* limits = on_heap(&(OldLimits){sizeof(OldLimits), 3}, sizeof *limits);
+  OldMask* mask = on_heap(&(OldMask){sizeof(OldMask), NULL, 0}, sizeof *mask);
   OldTotals* totals = on_heap(&(OldTotals){sizeof(OldTotals), 0}, sizeof *totals);
   size_t* options = on_heap(&(size_t){sizeof(size_t)}, sizeof *options);
   OldSurface* surfaces = on_heap(floors, sizeof floors);
@@ -85,7 +92,7 @@ int main(void) {
   with_surfaces.surface_count = 2;
   OK(hb_world_new(&with_surfaces, &world));
   OK(hb_start(world, NULL, &simulation));
-  OK(hb_rays(simulation, 1, doubles(places[0], 3), doubles(down, 3), 100, &hit));
+  OK(hb_rays(simulation, 1, doubles(places[0], 3), doubles(down, 3), 100, (const hb_mask*)mask, 1, &hit));
   CHECK(hit.kind == HB_KIND_WALL && hit.body == 6 && hit.distance == 3);
   hb_free(simulation);
   hb_world_free(world);
@@ -101,6 +108,7 @@ int main(void) {
   free(surfaces);
   free(options);
   free(totals);
+  free(mask);
   free(limits);
   free(spheres);
   free(sphere);

@@ -327,6 +327,34 @@ static void fields_are_read_into_the_arrays_of_the_program(void) {
   hb_free(simulation);
 }
 
+static void positions_are_extrapolated(void) {
+  hb_simulation* simulation = two_spheres();
+  const hb_id second = 1;
+  double now[2][3];
+  double places[2][3];
+  hb_array out = into_doubles(places[0], 3);
+  OK(hb_run_until(simulation, 1));
+  OK(hb_extrapolate(simulation, 2.5, NULL, 2, out));
+  CHECK(places[0][0] == 4.5 && places[0][1] == 5 && places[0][2] == 5 && places[1][0] == 6);
+  OK(hb_extrapolate(simulation, 4, NULL, 2, out)); /* they meet at 3 */
+  CHECK(places[0][0] == 6 && places[1][0] == 6 && hb_collisions(simulation) == 0);
+  OK(hb_extrapolate(simulation, 9, &second, 1, out));
+  CHECK(places[0][0] == 6);
+  OK(hb_read(simulation, HB_FIELD_POSITION, NULL, 2, into_doubles(now[0], 3)));
+  OK(hb_extrapolate(simulation, hb_time(simulation), NULL, 2, out));
+  CHECK(memcmp(now, places, sizeof now) == 0);
+
+  places[0][0] = 77;
+  REFUSED(hb_extrapolate(simulation, 0.5, NULL, 2, out), "it is 0.5", "time");
+  REFUSED(hb_extrapolate(simulation, NAN, NULL, 2, out), "nan", "time");
+  REFUSED(hb_extrapolate(simulation, HUGE_VAL, NULL, 2, out), "inf", "time");
+  REFUSED(hb_extrapolate(simulation, 2, NULL, 3, out), "it is 3", "count");
+  REFUSED(hb_extrapolate(simulation, 2, NULL, 2, into_doubles(NULL, 3)), "NULL", "out");
+  REFUSED(hb_extrapolate(NULL, 2, NULL, 2, out), "NULL", "simulation");
+  CHECK(places[0][0] == 77);
+  hb_free(simulation);
+}
+
 static void sums_are_read(void) {
   hb_simulation* simulation = two_spheres();
   hb_totals totals = HB_TOTALS_INIT;
@@ -436,6 +464,7 @@ int main(void) {
   spheres_that_overlap_do_not_start();
   copies_and_saved_states_have_the_same_future();
   fields_are_read_into_the_arrays_of_the_program();
+  positions_are_extrapolated();
   sums_are_read();
   edits_change_the_motion();
   a_run_that_fails_says_so();
