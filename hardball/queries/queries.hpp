@@ -68,10 +68,10 @@ struct BodyFilter {
 /// A sphere that passes through others touches them when it begins to.
 ///
 /// Error: spheres grow or have potentials of steps; the box is sheared; no such sphere; a velocity that is
-/// not finite or out of range; `until` is before `now` or NaN, or in a periodic box infinite. Cost: with
-/// cells, O(spheres that could come near up to the contact), and for the first query of a moment O(n);
-/// otherwise O(n), in a periodic box as often as the fastest sphere would cross half of it before the
-/// contact.
+/// not finite or out of range; `until` is before `now` or NaN, or in a periodic box infinite. Cost:
+/// O(spheres that could come near up to the contact), once the second question about a moment has sorted
+/// them, O(n); that of the first question, and in a search without MovingSpheres: O(n), in a periodic box as
+/// often as the fastest sphere would cross half of it before the contact.
 HARDBALL_EXPORT std::optional<NextContact> first_contact(const SphereSearch& search, const Time& now,
                                                          SphereId id, const Vec3& velocity,
                                                          const Time& until);

@@ -164,9 +164,9 @@ class HARDBALL_EXPORT Simulation {
                                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
   /// What a sphere would hit first up to `until` [T] if it had this velocity [L/T], and no other changed its
-  /// motion; see first_contact (queries.hpp). Error: as there. Cost: as there, as of the queries that follow;
-  /// engines with cells have them, but while several processes share the simulation, or after next_contact,
-  /// positions_at and edits that it has not run on from yet, queries look at all spheres.
+  /// motion; see first_contact (queries.hpp). Error and cost: as there, as of the queries that follow. They
+  /// look at all spheres in engines without cells, in several processes, and after next_contact and
+  /// positions_at until the simulation has run on.
   std::optional<NextContact> first_contact(SphereId id, const Vec3& velocity, double until) const {
     return hardball::first_contact(search(), now_, id, velocity, Time(until));
   }
