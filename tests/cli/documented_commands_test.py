@@ -18,7 +18,7 @@ import tempfile
 from pathlib import Path
 
 # Tested with the package in a bare system, or as projects and packages of tests; chromium makes a figure of the pages.
-OTHERS = {"apt-get", "cd", "chromium", "cmake", "g++", "git", "man", "pip", "python3"}
+OTHERS = {"apt-get", "cc", "cd", "chromium", "cmake", "g++", "git", "man", "my_game", "pip", "python3"}
 PATIENCE = 300
 
 
