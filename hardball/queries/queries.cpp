@@ -100,28 +100,28 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
     const Vec3 velocity = motion.velocity_at(world.path(slot), now) - path.velocity;
     if (slot != self) fastest = std::max(fastest, length(velocity));
   }
-  const double longest = half / fastest;
-  search_in_intervals([longest](double) { return longest; }, end,
-                      [&](const Interval& interval) {
-                        // Later than that, too many images of each sphere may be in reach.
-                        if (!moving || moving->usual_speed() * interval.end > 2 * half)
-                          return look_at_all(interval);
-                        looked_at = interval;
-                        for (const Slot slot : moving->unusual()) look_at(slot);
-                        const Function<void(Slot)> visit = look_at;
-                        // A first contact is likely to be near: shorter intervals come first.
-                        const double speed = own_speed + moving->usual_speed();
-                        const double shortest =
-                            moving->cell_edge() > 0 ? moving->cell_edge() / speed : kInfinity;
-                        double begin = interval.begin;
-                        do {
-                          const bool are_all_near = begin * speed > moving->extent();
-                          const double next = are_all_near ? kInfinity : begin + std::max(shortest, begin);
-                          looked_at = {begin, std::min({interval.end, end, next})};
-                          moving->for_each_near(from, radius, looked_at.begin, looked_at.end, visit);
-                          begin = looked_at.end;
-                        } while (begin < std::min(interval.end, end));
-                      });
+  const auto look_near = [&](const Interval& interval) {
+    looked_at = interval;
+    for (const Slot slot : moving->unusual()) look_at(slot);
+    const Function<void(Slot)> visit = look_at;
+    // A first contact is likely to be near: shorter intervals come first.
+    const double speed = own_speed + moving->usual_speed();
+    const double shortest = moving->cell_edge() > 0 ? moving->cell_edge() / speed : kInfinity;
+    double begin = interval.begin;
+    do {
+      const bool are_all_near = begin * speed > moving->extent();
+      const double next = are_all_near ? kInfinity : begin + std::max(shortest, begin);
+      looked_at = {begin, std::min({interval.end, end, next})};
+      moving->for_each_near(from, radius, looked_at.begin, looked_at.end, visit);
+      begin = looked_at.end;
+    } while (begin < std::min(interval.end, end));
+  };
+  const auto stride_to_spheres = [longest = half / fastest](double) { return longest; };
+  search_in_intervals(stride_to_spheres, end, [&](const Interval& interval) {
+    // Later than that, too many images of each sphere may be in reach.
+    const bool are_few_near = moving && moving->usual_speed() * interval.end <= 2 * half;
+    are_few_near ? look_near(interval) : look_at_all(interval);
+  });
   if (!(first.time < kNever) || first.time.high > until.high) return std::nullopt;
   return NextContact{first.time.value(), first.kind, id, first.body};
 }

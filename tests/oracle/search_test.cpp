@@ -18,6 +18,7 @@
 #include "hardball/engine/engine.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/queries/moving_spheres.hpp"
 #include "hardball/queries/queries.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/effort.hpp"
@@ -241,6 +242,37 @@ TEST(Search, DomainsAnswerAsAScanDoes) {
     }
   }
   EXPECT_GT(found, support::cases(40) * kQueriesPerWorld / 2);
+}
+
+// A body at rest, where a sphere that flies straight to it arrives at the last moment: none is at the very
+// edge of what is looked at by chance.
+TEST(Search, MovingSpheresIncludeWhatArrivesAtTheLastMoment) {
+  constexpr double kEdge = 40;
+  constexpr double kRadius = 0.1;
+  for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
+    Random random(7);
+    World world(Box({boundary, boundary, boundary}, {kEdge, kEdge, kEdge}));
+    const auto coordinate = [&] { return 1 + (kEdge - 2) * random.uniform(); };
+    for (int i = 0; i < 3000; ++i) {
+      world.add({.position = {coordinate(), coordinate(), coordinate()},
+                 .velocity = random.direction(),
+                 .radius = kRadius});
+    }
+    const MovingSpheres moving(world, Time(0));
+    ASSERT_TRUE(moving.unusual().empty());
+    for (int i = 0; i < 1000; ++i) {
+      const auto slot = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
+      const double end = 10 * random.uniform();
+      const double radius = 2 * random.uniform();
+      State body{
+          world.position(slot, Time(0)) + (0.999 * end + kRadius + radius) * world.velocity(slot, Time(0)),
+          {}};
+      world.box().fold(body.position);
+      bool is_found = false;
+      moving.for_each_near(body, radius, 0, end, [&](Slot near) { is_found = is_found || near == slot; });
+      ASSERT_TRUE(is_found) << i;
+    }
+  }
 }
 
 }  // namespace
