@@ -22,7 +22,8 @@ ExitCode run(const RunOptions& options, Processes& processes) {
   std::optional<std::filesystem::path> directory = scenario.output.directory;
   if (options.out) directory = *options.out;
   // Measures are written to files.
-  Measures measures(directory ? scenario.measures : MeasureSettings{.names = {}});
+  Measures measures(directory || !scenario.run.until_error.empty() ? scenario.measures
+                                                                   : MeasureSettings{.names = {}});
   StartedRun run{options.scenario,
                  options.output,
                  std::move(scenario),

@@ -24,6 +24,7 @@
 #include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
 #include "hardball/processes.hpp"
+#include "hardball/scenario/error_watch.hpp"
 #include "hardball/scenario/rest_watch.hpp"
 #include "hardball/simulation/simulation_checkpoint.hpp"
 
@@ -52,6 +53,7 @@ class Course {
         progress_(processes_.is_first() && !run.output.quiet, *run.scenario.run.until),
         seconds_before_(run.seconds.run),
         rest_(run.scenario, run.simulation.totals(), run.simulation.size()),
+        errors_(run.measures.is_any_wanted() ? ErrorWatch(run.scenario) : ErrorWatch()),
         schedule_(run.directory ? run.scenario.output : OutputDescription(), run.next_snapshot,
                   run.simulation.time()) {
     observe_files();
@@ -59,6 +61,8 @@ class Course {
 
   /// Since when all spheres are at rest [T].
   const std::optional<double>& at_rest_since() const { return rest_.since(); }
+  /// What says when errors were as small as wanted.
+  const ErrorWatch& errors() const { return errors_; }
 
   // False if interrupted by a signal.
   bool complete() {
@@ -81,9 +85,13 @@ class Course {
     for (;;) {
       const double now = run_.simulation.time();
       rest_.look(now, [&] { return run_.simulation.totals(); });
+      if (errors_.is_time_to_look(now))
+        errors_.look(now, run_.measures.results(run_.simulation.world(), run_.simulation.now()));
+      if (errors_.reached()) return true;
       const double snapshot = schedule_.snapshot_time(until);
       const double checkpoint = schedule_.kept_time();
-      const double next = std::min({snapshot, checkpoint, until, rest_.next_look(now)});
+      const double next =
+          std::min({snapshot, checkpoint, until, rest_.next_look(now), errors_.next_look(now)});
       const RunStatus status =
           rest_.since() ? RunStatus::time_reached : run_to(next, schedule_.snapshot_contacts());
       if (status == RunStatus::stopped) return false;
@@ -177,6 +185,7 @@ class Course {
   Progress progress_;
   double seconds_before_;
   RestWatch rest_;
+  ErrorWatch errors_;
   OutputSchedule schedule_;                   // without files, of nothing
   double observed_ = run_.simulation.time();  // the time of the last contact observed
   std::string failure_;                       // of files, in the midst of a run
@@ -234,18 +243,23 @@ ExitCode carry_out(StartedRun& run) {
   Simulation& simulation = run.simulation;
   Course course(run);
   const bool is_complete = course.complete();
+  std::vector<Measurement> measurements;
+  if (run.measures.is_any_wanted() || (run.directory && run.scenario.output.report)) {
+    run.measures.sample_the_rest(simulation.world(), simulation.now());
+    measurements = run.measures.results(simulation.world(), simulation.now());
+  }
+  if (is_complete && !course.errors().reached()) {
+    for (std::string& failure : course.errors().failures(measurements))
+      run.notes.push_back(std::move(failure));
+  }
   Summary summary{run.scenario, run.choice.overrides, final_state(run.scenario, simulation), run.seconds,
                   run.notes};
   summary.state.at_rest_since = course.at_rest_since();
+  summary.state.errors_reached_at = course.errors().reached();
   const std::string json = summary.json();
-  std::vector<Measurement> measurements;
   std::string html;
-  if (run.directory && (run.measures.is_any_wanted() || run.scenario.output.report)) {
-    run.measures.sample_the_rest(simulation.world(), simulation.now());
-    measurements = run.measures.results(simulation.world(), simulation.now());
-    if (run.scenario.output.report)
-      html = to_html(run_report(run.choice, run.scenario, simulation, summary, measurements, is_complete));
-  }
+  if (run.directory && run.scenario.output.report)
+    html = to_html(run_report(run.choice, run.scenario, simulation, summary, measurements, is_complete));
   in_first(run.processes(), [&] {
     if (run.files) run.files->finish(simulation.time(), measurements, json, html);
     write_output(run.output.json ? json : summary.table());

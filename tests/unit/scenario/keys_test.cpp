@@ -164,6 +164,9 @@ void read(const Value& value, ValueType type) {
     case ValueType::numbers:
       value.numbers();
       return;
+    case ValueType::named_numbers:
+      value.named_numbers();
+      return;
     case ValueType::integer:
       value.integer();
       return;
