@@ -51,6 +51,7 @@ from ._frames import Frame, Recording, Trajectory, read
 from ._output import Output
 from ._packing import Packing, PackingFailed, pack
 from ._plots import plot
+from ._replica_exchange import ReplicaExchange
 from ._simulation import Simulation
 from ._view import View
 
@@ -77,6 +78,7 @@ __all__ = [
     "Quantity",
     "RayHit",
     "Recording",
+    "ReplicaExchange",
     "Rescale",
     "ResponseTable",
     "RunFailure",
