@@ -86,6 +86,8 @@ void declare(Arguments arguments, RunOptions& options) {
   declare(arguments, options.output);
   arguments.add_flag("--overwrite", options.overwrite,
                      "Replace the files of an earlier run in the directory");
+  arguments.add_flag("--resume", options.resume,
+                     "Resume the run from its checkpoint in the directory; start it if there is none");
 }
 
 void declare(Arguments arguments, ResumeOptions& options) {
@@ -104,7 +106,7 @@ void declare(Arguments arguments, VerifyOptions& options) {
 void declare(Arguments arguments, CheckOptions& options) {
   declare(arguments, options.scenario);
   declare(arguments, options.engine);
-  add_quiet(arguments, options.quiet);
+  declare(arguments, options.output);
   arguments.add_answer("--schema", scenario_schema, "Print a JSON Schema of scenarios, for editors");
 }
 

@@ -40,9 +40,9 @@ std::vector<std::pair<std::string, std::string>> check(const ScenarioChoice& sce
                                                        const std::string& engine) {
   std::vector<std::pair<std::string, std::string>> rows;
   const py::gil_scoped_release release;
-  for (const auto& [name, text] :
-       cli::check_rows({.scenario = scenario, .engine = {.engine = engine}, .quiet = true}))
-    rows.emplace_back(name, text);
+  for (const cli::TableRow& row :
+       cli::check_rows({.scenario = scenario, .engine = {.engine = engine}, .output = {.quiet = true}}))
+    rows.emplace_back(row.name, row.text);
   return rows;
 }
 
@@ -79,14 +79,14 @@ py::dict tune(const ScenarioChoice& scenario, const std::string& unit_costs, con
   py::dict all;
   const auto column = [&](const char* name, const auto& get) {
     std::vector<double> values;
-    for (const cli::SweepPoint& point : tuning.sweep.points) values.push_back(get(point));
+    for (const cli::EdgePoint& point : tuning.sweep.points) values.push_back(get(point));
     all[name] = read_only(array_around(std::move(values)));
   };
-  column("cell_edge", [](const cli::SweepPoint& point) { return point.edge; });
-  column("predicted", [](const cli::SweepPoint& point) { return point.predicted_seconds; });
-  column("measured", [](const cli::SweepPoint& point) { return point.median_seconds(); });
-  column("least", [](const cli::SweepPoint& point) { return point.seconds.front(); });
-  column("most", [](const cli::SweepPoint& point) { return point.seconds.back(); });
+  column("cell_edge", [](const cli::EdgePoint& point) { return point.edge; });
+  column("predicted", [](const cli::EdgePoint& point) { return point.predicted_seconds; });
+  column("measured", [](const cli::EdgePoint& point) { return point.median_seconds(); });
+  column("least", [](const cli::EdgePoint& point) { return point.seconds.front(); });
+  column("most", [](const cli::EdgePoint& point) { return point.seconds.back(); });
   all["chosen"] = tuning.sweep.chosen().edge;
   all["paper"] = tuning.sweep.paper().edge;
   all["best"] = tuning.sweep.best().edge;
