@@ -31,5 +31,6 @@ ExitCode convert(const ConvertOptions& options);
 ExitCode info(const InfoOptions& options);
 ExitCode view(const ViewOptions& options);
 ExitCode replay(const ReplayOptions& options);
+ExitCode sweep(const SweepOptions& options);
 
 }  // namespace hardball::cli

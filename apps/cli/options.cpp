@@ -160,6 +160,24 @@ void declare(Arguments arguments, ReplayOptions& options) {
   arguments.add_flag("--overwrite", options.overwrite, "Replace an existing file");
 }
 
+void declare(Arguments arguments, SweepOptions& options) {
+  arguments.add("STUDY", options.study, "TEXT", "Study file (TOML)");
+  arguments.add("--out", options.out, "DIRECTORY",
+                "Directory of the members and tables, instead of the study without .toml");
+  arguments.add(
+      "--workers", options.workers, "NUMBER",
+      "How many members run at once, each in one thread; one more than there are cores if not given");
+  arguments.add("--member", options.member, "NUMBER",
+                "Run only this part of the members, from 1, and write no tables; for arrays of jobs");
+  arguments.add("--of", options.of, "NUMBER", "How many parts there are");
+  arguments.add_flag("--retry", options.retry, "Run members again that have failed");
+  arguments.add_flag("--table", options.table, "Only write the tables of what has finished");
+  arguments.add_flag("--prepare", options.prepare,
+                     "Only make the directories of members, each with values.json");
+  arguments.add_flag("--dry-run", options.dry_run, "Only check, and list what would run, the longest first");
+  declare(arguments, options.output);
+}
+
 void declare(Arguments arguments, CompletionOptions& options) {
   arguments.add("SHELL", options.shell, "bash|zsh|fish", "The shell");
 }
