@@ -20,7 +20,7 @@ struct TableRow {
   std::string name;
   std::string text = {};
   std::string key = {};   ///< Its place in the object of --json, as a JSON Pointer; empty if it has none.
-  std::string json = {};  ///< Its value there.
+  std::string json = {};  ///< The value at that place, as JSON.
 };
 
 /// What `check` says of a scenario, row by row.

@@ -17,9 +17,9 @@ namespace sweep {
 /// What the directory of a member says of it: nothing else is known of a sweep.
 enum class State {
   fresh,        ///< Not begun.
-  interrupted,  ///< It has a checkpoint, from which it is resumed.
-  finished,     ///< It has the summary of a whole run, or the results of a function.
-  failed,       ///< It has failed.txt, with the message.
+  interrupted,  ///< There is a checkpoint, from which it is resumed.
+  finished,     ///< There is the summary of a whole run, or there are results of a function.
+  failed,       ///< There is failed.txt, with the message.
 };
 
 /// What a function in Python has found of a member.

@@ -43,32 +43,6 @@ KeyDescription table(std::string_view name, TableDescription keys, std::string m
           .table = std::make_shared<const TableDescription>(std::move(keys))};
 }
 
-// Values that are evenly spaced.
-const KeyDescription& range_key() {
-  static const KeyDescription key = table(
-      "range",
-      {.title = "range",
-       .keys = {{.name = "from", .is_required = true, .meaning = "the first value", .example = "0.1"},
-                {.name = "to", .is_required = true, .meaning = "the last value", .example = "0.5"},
-                {.name = "count",
-                 .type = ValueType::integer,
-                 .least = 1,
-                 .most = kMostMembers,
-                 .is_required = true,
-                 .meaning = "how many values there are",
-                 .example = "5"},
-                {.name = "scale",
-                 .type = ValueType::choice,
-                 .choices = {"linear", "log"},
-                 .default_value = "\"linear\"",
-                 .meaning =
-                     "whether they, or their logarithms, are evenly spaced; rounded to 15 digits, and to "
-                     "integers where the key takes these",
-                 .example = "\"log\""}}},
-      "");
-  return key;
-}
-
 // A value of one key, and where it stands.
 struct Given {
   std::string value;
@@ -163,6 +137,7 @@ void read_range(const Section& range, Column& column) {
 }
 
 Column read_column(const Document& document, const Entry& entry) {
+  static const KeyDescription range_key = table("range", range_keys(), "");
   Column column{entry.key, document.text_of(entry.location), entry.location, {}};
   for (const auto& [key, remedy] :
        {std::pair("run.seed", "give seed at the top of the study, and replicas in [sweep]"),
@@ -170,7 +145,7 @@ Column read_column(const Document& document, const Entry& entry) {
     if (entry.key == key) throw Error(entry.key + " is not for sweeps", column.where, remedy);
   }
   if (std::holds_alternative<Node::Table>(entry.node.value)) {
-    read_range(Section(document, entry.node, range_key()), column);
+    read_range(Section(document, entry.node, range_key), column);
   } else if (const auto* const list = std::get_if<Node::Array>(&entry.node.value)) {
     for (const Node& each : *list) {
       const std::string where = document.text_of(each.location);
@@ -413,10 +388,31 @@ const TableDescription& study_keys() {
   return keys;
 }
 
+const TableDescription& range_keys() {
+  static const TableDescription keys{
+      .title = "range",
+      .keys = {
+          {.name = "from", .is_required = true, .meaning = "the first value", .example = "0.1"},
+          {.name = "to", .is_required = true, .meaning = "the last value", .example = "0.5"},
+          {.name = "count",
+           .type = ValueType::integer,
+           .least = 1,
+           .most = kMostMembers,
+           .is_required = true,
+           .meaning = "how many values there are",
+           .example = "5"},
+          {.name = "scale",
+           .type = ValueType::choice,
+           .choices = {"linear", "log"},
+           .default_value = "\"linear\"",
+           .meaning = "whether the values, or their logarithms, are evenly spaced; they are rounded to 15 "
+                      "digits, and to integers where the key takes these",
+           .example = "\"log\""}}};
+  return keys;
+}
+
 Study read_study(const StudyChoice& choice) {
-  static const KeyDescription root_key{.name = "study",
-                                       .type = ValueType::table,
-                                       .table = std::make_shared<const TableDescription>(study_keys())};
+  static const KeyDescription root_key = table("study", study_keys(), "");
   const Document document(choice.path, choice.text ? *choice.text : read_file(choice.path));
   const Section root(document, document.root(), root_key);
   Study study;

@@ -65,6 +65,9 @@ struct Study {
 /// The keys of a study, the one source of what the reader accepts and of docs/sweeps.md.
 const TableDescription& study_keys();
 
+/// The keys of a range of values, which stands in place of their list.
+const TableDescription& range_keys();
+
 /// Reads a study, and numbers its members as its directory says, if there is one. The seed of a member is a
 /// hash of the seed of the study, its values and its replica, so that adding values changes no other. Error:
 /// the file is no study; values are given twice; the directory belongs to a study that has another seed,

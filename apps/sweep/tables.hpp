@@ -24,7 +24,7 @@ struct Estimate {
 struct Row {
   const Member* member = nullptr;
   State state = State::fresh;
-  std::string hash = {};  ///< Of its history; empty of results of a function.
+  std::string hash = {};  ///< The event log hash; empty of results of a function.
   std::optional<std::uint64_t> collisions = {};
   double setup_seconds = 0;  ///< Wall time; NaN of results of a function.
   double run_seconds = 0;

@@ -52,6 +52,7 @@ from ._output import Output
 from ._packing import Packing, PackingFailed, pack
 from ._plots import plot
 from ._simulation import Simulation
+from ._sweep import Sweep, sweep
 from ._view import View
 
 __all__ = [
@@ -85,6 +86,7 @@ __all__ = [
     "StepPotential",
     "StepTable",
     "Surface",
+    "Sweep",
     "TabulatedRestitution",
     "Trajectory",
     "Tuning",
@@ -100,6 +102,7 @@ __all__ = [
     "pack",
     "plot",
     "read",
+    "sweep",
     "tune",
     "verify",
     "__version__",
