@@ -19,7 +19,7 @@ enum class ExitCode : int {
 /// Several processes call it with the same options; only the first one writes messages, and files but for
 /// checkpoints. Error: in all processes.
 ExitCode run(const RunOptions& options, Processes& processes);
-/// The same, without catching signals: for one of many runs in this process.
+/// Runs a scenario as `run` does, but leaves signals alone: for one of many runs in this process.
 ExitCode run_in_process(const RunOptions& options, Processes& processes = one_process());
 /// Resumes a run in several processes, which call it with the same options. Error: in all processes.
 ExitCode resume(const ResumeOptions& options, Processes& processes);

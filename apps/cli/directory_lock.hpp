@@ -15,7 +15,8 @@ inline constexpr const char* kRunLock = "run.lock";
 /// up when the process ends, however it ends.
 class DirectoryLock {
  public:
-  /// That of a run. Error: another run holds the lock, or the directory cannot be written to.
+  /// The lock of a run, on the file kRunLock. Error: another run holds the lock, or the directory cannot be
+  /// written to.
   explicit DirectoryLock(const std::filesystem::path& directory);
   /// The lock on the file of this name in a directory; none if another holds it. Error: the directory cannot
   /// be written to.

@@ -19,7 +19,7 @@ namespace hardball::cli {
 struct TableRow {
   std::string name;
   std::string text = {};
-  std::string key = {};   ///< Its place in the object of --json, as a JSON Pointer; empty if it has none.
+  std::string key = {};   ///< The place in the object of --json, as a JSON Pointer; empty if there is none.
   std::string json = {};  ///< The value at that place, as JSON.
 };
 

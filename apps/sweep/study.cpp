@@ -439,7 +439,7 @@ Study read_study(const StudyChoice& choice) {
                  (zip.empty() ? 1 : static_cast<double>(zip.front().values.size()));
   for (const Column& column : product) count *= static_cast<double>(column.values.size());
   if (count > kMostMembers)
-    throw Error("the sweep has " + to_text(count) + " members", choice.path,
+    throw Error("the sweep has " + fmt::format("{:.0f}", count) + " members", choice.path,
                 "give at most " + to_text(kMostMembers));
   for (const auto* columns : {&product, &zip}) {
     for (const Column& column : *columns) {
