@@ -202,8 +202,24 @@ bool is_whole(const std::filesystem::path& directory, double time, double until)
   return time == until && is_finished(directory);
 }
 
+// Error: the run in a directory was started in another way.
+void require_same_start(const RunState& state, const ScenarioChoice& choice,
+                        const std::filesystem::path& directory) {
+  const auto require = [&](bool is_same, const char* what) {
+    if (is_same) return;
+    throw Error(std::string("holds a run that was started with another ") + what, directory.string(),
+                "name another directory, resume that run with 'hardball resume', or replace its files with "
+                "--overwrite instead of --resume");
+  };
+  require(state.text == read_scenario(choice).text, "scenario");
+  require(state.choice.overrides == choice.overrides, "--set");
+  require(state.choice.until == choice.until, "--until");
+  require(state.choice.seed == choice.seed, "--seed");
+}
+
 // Says that the run in a directory is whole; with --json, writes its summary to the standard output.
 void tell_of_whole_run(const std::filesystem::path& directory, double time, const OutputStyle& output) {
+  if (output.silent) return;
   if (output.json) write_output(read_file(directory / kSummary));
   if (output.quiet) return;
   write_message(directory.string() + ": the run is whole: it has reached its end at time " + to_text(time) +
@@ -262,6 +278,7 @@ ExitCode carry_out(StartedRun& run) {
     html = to_html(run_report(run.choice, run.scenario, simulation, summary, measurements, is_complete));
   in_first(run.processes(), [&] {
     if (run.files) run.files->finish(simulation.time(), measurements, json, html);
+    if (run.output.silent) return;
     write_output(run.output.json ? json : summary.table());
     if (is_complete) return;
     write_message("interrupted at time " + to_text(simulation.time()) + " of " +
@@ -285,6 +302,7 @@ std::optional<StartedRun> resumed_run(const ResumeOptions& options, Processes& p
     restore(checkpoint->section("run"), path.string(), state);
     restore(checkpoint->section("files"), path.string(), files);
     restore(checkpoint->section("measures"), path.string(), measures);
+    if (options.started) require_same_start(state, *options.started, directory);
   });
   if (processes.size() > 1) {
     require_same(processes,

@@ -53,6 +53,7 @@ from ._packing import Packing, PackingFailed, pack
 from ._plots import plot
 from ._replica_exchange import ReplicaExchange
 from ._simulation import Simulation
+from ._sweep import Sweep, sweep
 from ._view import View
 
 __all__ = [
@@ -87,6 +88,7 @@ __all__ = [
     "StepPotential",
     "StepTable",
     "Surface",
+    "Sweep",
     "TabulatedRestitution",
     "Trajectory",
     "Tuning",
@@ -102,6 +104,7 @@ __all__ = [
     "pack",
     "plot",
     "read",
+    "sweep",
     "tune",
     "verify",
     "__version__",
