@@ -26,7 +26,10 @@ constexpr const char* kValues = "values.json";
 bool is_of_whole_run(const std::filesystem::path& summary) {
   if (!std::filesystem::exists(summary)) return false;
   const auto json = nlohmann::json::parse(read_file(summary), nullptr, false);
-  return json.is_object() && json.contains("until") && json.value("time", -1.0) == json.value("until", -2.0);
+  if (!json.is_object()) return false;
+  const bool has_reached_end =
+      json.contains("until") && json.value("time", -1.0) == json.value("until", -2.0);
+  return has_reached_end || json.contains("errors_reached_at");
 }
 
 std::string values_json(const Member& member) {
