@@ -25,7 +25,7 @@ install(FILES ${PROJECT_BINARY_DIR}/hardballConfigVersion.cmake DESTINATION ${pa
 
 # A shared library knows what it needs.
 set(libraries "-lhardball")
-if(NOT BUILD_SHARED_LIBS)
+if(NOT BUILD_SHARED_LIBS AND NOT HARDBALL_ZSTD_SOURCE)
   string(APPEND libraries " -lzstd")
 endif()
 set(validation "")
