@@ -51,6 +51,7 @@ from ._frames import Frame, Recording, Trajectory, read
 from ._output import Output
 from ._packing import Packing, PackingFailed, pack
 from ._plots import plot
+from ._scenario import scenarios
 from ._simulation import Simulation
 from ._view import View
 
@@ -100,6 +101,7 @@ __all__ = [
     "pack",
     "plot",
     "read",
+    "scenarios",
     "tune",
     "verify",
     "__version__",
