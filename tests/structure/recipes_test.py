@@ -19,6 +19,7 @@ import unittest
 from pathlib import Path
 
 import yaml
+from checking import files_of
 
 PROJECT = Path(sys.argv.pop()).resolve()
 PACKAGING = PROJECT / "packaging"
@@ -36,7 +37,7 @@ def plain(names):
 
 class Recipes(unittest.TestCase):
     def test_options_are_those_of_the_project(self):
-        declared = "".join(file.read_text() for file in PROJECT.glob("**/CMakeLists.txt") if "build" not in file.parts)
+        declared = "".join(file.read_text() for file in files_of(PROJECT) if file.name == "CMakeLists.txt")
         files = [*(PACKAGING / recipe for recipe in RECIPES), PROJECT / "pyproject.toml", PROJECT / "setup.py"]
         for file in files:
             for option in re.findall(r"-D(HARDBALL_\w+)=", file.read_text()):
