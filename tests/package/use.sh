@@ -67,11 +67,12 @@ echo "-- the Python package"
 install ./python3-hardball_*.deb
 dpkg --verify python3-hardball
 prints "$(hardball --version)" python3 -m hardball --version
-prints "True" python3 -c "
+hash=$(python3 -c "
 import hardball
 gas = hardball.Simulation.from_scenario(hardball.scenarios() / 'newtons_cradle.toml')
 gas.run()
-print('$(hardball run "$examples/newtons_cradle.toml" --json --quiet)'.count(gas.event_log_hash) == 1)"
+print(gas.event_log_hash)")
+prints "$hash" hardball run "$examples/newtons_cradle.toml" --json --quiet
 test -d /usr/lib/python3/dist-packages/hardball/__pycache__
 prints "polished: True" python3 -c "import hardball; print('polished:', hardball.pack(60, phi='max', polish=True).is_polished)"
 
