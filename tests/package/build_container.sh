@@ -23,7 +23,12 @@ images() {
 } || exit 77
 
 git clone -q . "$scratch/source"
-images build --pull-never --isolation chroot --layers=false --tag hardball "$scratch/source"
+# It takes half an hour without the cache of compilers.
+cache=()
+if command -v ccache >/dev/null; then
+  cache=(--volume "$(ccache --get-config cache_dir):/root/.cache/ccache")
+fi
+images build "${cache[@]}" --pull-never --isolation chroot --layers=false --tag hardball "$scratch/source"
 container=$(images from --pull-never localhost/hardball)
 in_container() {
   images run --isolation chroot "$container" -- "$@"
