@@ -6,9 +6,11 @@ import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
+from numpy.typing import NDArray
 
 import hardball
 
+Floats = NDArray[np.float64]
 RANGE, RAYS = 6.0, 90
 places = [[2.0, 5.0], *([x, y] for x in (5.0, 8.0, 11.0, 14.0) for y in (2.2, 3.4, 6.4, 7.9))]
 velocities = [[1.0, 0.0], *([-0.2 * (k % 4), 0.1 * (k % 3) - 0.1] for k in range(16))]
@@ -21,19 +23,27 @@ simulation = hardball.Simulation(
 angles = np.linspace(0, 2 * np.pi, RAYS, endpoint=False)
 directions = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 
-print("time  people seen  nearest  at degrees")
-for time in range(9):
-    simulation.run(until=time)
+
+
+def look() -> tuple[Floats, Floats, set[int]]:
+    """The robot's place, the distance along each ray, and the people that are seen."""
     robot = simulation.positions[0]
     # A ray that starts in the robot does not hit it.
     hits = [simulation.ray(robot, direction, RANGE) for direction in directions]
     distances = np.array([RANGE if hit is None else hit.distance for hit in hits])
-    seen = {hit.body for hit in hits if hit is not None and hit.kind == "collision"}
+    return robot, distances, {hit.body for hit in hits if hit is not None and hit.kind == "collision"}
+
+
+print("time  people seen  nearest  at degrees")
+for time in range(9):
+    simulation.run(until=time)
+    _, distances, seen = look()
     nearest = np.argmin(distances)
     print(f"{time:4}  {len(seen):11}  {distances[nearest]:7.3f}  {360 * nearest / RAYS:10.0f}")
 
 if len(sys.argv) > 1:
     figure, axes = plt.subplots(figsize=(6.4, 4), layout="tight")
+    robot, distances, seen = look()
     for direction, distance in zip(directions, distances):
         x, y = zip(robot[:2], robot[:2] + distance * direction)
         axes.plot(x, y, color="tab:green", linewidth=0.6)

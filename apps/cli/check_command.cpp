@@ -3,31 +3,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "apps/cli/commands.hpp"
+#include "apps/cli/forecast.hpp"
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/number_or_null.hpp"
 #include "apps/cli/outlook.hpp"
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/results.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
-#include "apps/cli/trial.hpp"
 #include "apps/cli/warnings.hpp"
 #include "hardball/error.hpp"
 #include "hardball/measure/wall_forces.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/theory.hpp"
 #include "hardball/tuning/cell_counts.hpp"
-#include "hardball/tuning/cell_edge.hpp"
-#include "hardball/tuning/neighbor_counts.hpp"
 
 namespace hardball::cli {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 std::string readable(double number) {
   return fmt::format("{:.4g}", number);
@@ -112,20 +114,30 @@ std::string describe(const ThermostatKind& kind) {
          std::visit([](const auto& its) { return values_of(its); }, kind);
 }
 
-// The radius of all spheres, or the mean, the least and the largest.
-std::string describe_radii(const World& world) {
+// The mean radius of all spheres, the least and the largest [L].
+struct Radii {
+  double mean = 0;
+  double least = 0;
+  double most = 0;
+};
+
+Radii radii_of(const World& world) {
   double sum = 0;
-  double least = world.base_radius(0);
-  double most = least;
+  Radii radii{.least = world.base_radius(0), .most = world.base_radius(0)};
   for (Slot slot = 0; slot < world.size(); ++slot) {
     const double radius = world.base_radius(slot);
     sum += radius;
-    least = std::min(least, radius);
-    most = std::max(most, radius);
+    radii.least = std::min(radii.least, radius);
+    radii.most = std::max(radii.most, radius);
   }
-  if (least == most) return readable(least);
-  return readable(sum / static_cast<double>(world.size())) + " on average, " + readable(least) + " to " +
-         readable(most);
+  const bool are_equal = radii.least == radii.most;
+  radii.mean = are_equal ? radii.least : sum / static_cast<double>(world.size());
+  return radii;
+}
+
+std::string describe(const Radii& radii) {
+  if (radii.least == radii.most) return readable(radii.least);
+  return readable(radii.mean) + " on average, " + readable(radii.least) + " to " + readable(radii.most);
 }
 
 // How many spheres of each species there are, and how many of infinite mass.
@@ -150,18 +162,6 @@ Kinds kinds_of(const Scenario& scenario, const Outlook& outlook) {
   return kinds;
 }
 
-// The cost of a run of a gas whose spheres were not placed [s].
-double seconds_by_theory(const Outlook& outlook, double until, double length) {
-  const GasStatistics& statistics = outlook.statistics;
-  const UnitCosts& costs = outlook.options.unit_costs;
-  constexpr double kNanosecond = 1e-9;
-  const double rate =
-      outlook.simulation.engine() == EngineKind::neighbors
-          ? cost_rate(expected_neighbor_counts(statistics, length), costs)
-          : cost_rate(expected_counts(statistics, length), costs_with_memory(statistics, costs));
-  return kNanosecond * static_cast<double>(statistics.spheres) * until * rate;
-}
-
 // What the scenario has of the features, among others that no sample of its spheres shows.
 Features features_of(const Scenario& scenario, const Outlook& outlook, const Kinds& kinds) {
   Features features = outlook.simulation.world().features() | scenario.features();
@@ -170,122 +170,159 @@ Features features_of(const Scenario& scenario, const Outlook& outlook, const Kin
   return features;
 }
 
-// "gravity, thermal walls".
-std::string names_of(Features features) {
-  std::string names;
+std::vector<std::string> names_of(Features features) {
+  std::vector<std::string> names;
   for (std::size_t number = 0; number < kFeatures; ++number) {
     const auto feature = static_cast<Feature>(number);
-    if (features.has(feature)) names += (names.empty() ? "" : ", ") + std::string(description(feature).name);
+    if (features.has(feature)) names.emplace_back(description(feature).name);
   }
   return names;
 }
 
-// The edge of the cells, or the skin of lists; zero if the engine has neither.
-double length_of(const Outlook& outlook) {
-  const Simulation& simulation = outlook.simulation;
-  const EngineOptions& options = outlook.options;
-  if (!outlook.is_sample || simulation.engine() == EngineKind::all_pairs) {
-    return simulation.engine() == EngineKind::neighbors ? simulation.skin() : simulation.cell_edge();
+Json json_of(const Box& box) {
+  Json json{{"boundary", Json::array()}, {"size", Json::array()}};
+  for (std::size_t axis = 0; axis < box.dimensions(); ++axis) {
+    json["boundary"].push_back(name_of(box.boundary(axis)));
+    json["size"].push_back(box.is_open(axis) ? Json(nullptr) : Json(box.size()[axis]));
   }
-  if (simulation.engine() == EngineKind::neighbors)
-    return optimal_skin(outlook.statistics, options.unit_costs);
-  return options.cell_edge.value_or(optimal_cell_edge(outlook.statistics, options.unit_costs));
+  return json;
 }
+
+// The rows of the table, and their values as JSON.
+class Rows {
+ public:
+  void add(std::string_view name, const std::string& text, std::string_view key, const Json& value) {
+    rows_.push_back({std::string(name), text, "/" + std::string(key), value.dump()});
+  }
+  void add(std::string_view name, const std::string& text, std::string_view key) {
+    add(name, text, key, text);
+  }
+  void add(std::string_view name, double number, std::string_view key) {
+    add(name, readable(number), key, number_or_null(number));
+  }
+  void add_heading(std::string_view name) { rows_.push_back({std::string(name)}); }
+
+  std::vector<TableRow> take() { return std::move(rows_); }
+
+ private:
+  std::vector<TableRow> rows_;
+};
 
 }  // namespace
 
 std::vector<TableRow> check_rows(const CheckOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
-  const Outlook outlook = look_ahead(options.engine, scenario, options.quiet);
-  write_notes(outlook.notes, options.quiet);
+  const Outlook outlook = look_ahead(options.engine, scenario, options.output.quiet);
+  write_notes(outlook.notes, options.output.quiet);
   const Simulation& simulation = outlook.simulation;
   const GasStatistics& statistics = outlook.statistics;
   const auto spheres = static_cast<double>(statistics.spheres);
   const double until = *scenario.run.until;
   const bool has_lists = simulation.engine() == EngineKind::neighbors;
   const double length = length_of(outlook);
-  const double bytes_per_sphere =
-      static_cast<double>(simulation.memory_bytes()) / static_cast<double>(simulation.size());
   const World space(statistics.box, scenario.gravity, make_surfaces(scenario, statistics.box));
-  std::vector<TableRow> rows;
-  const auto add = [&](std::string_view name, const std::string& value) {
-    rows.push_back({std::string(name), value});
-  };
-  add("scenario", scenario.name);
-  add("spheres", to_text(statistics.spheres));
-  add("box", describe(space.box()));
+  Rows rows;
+  rows.add("scenario", scenario.name, "scenario");
+  rows.add("spheres", to_text(statistics.spheres), "spheres", statistics.spheres);
+  rows.add("box", describe(space.box()), "box", json_of(space.box()));
   const Shear& shear = space.box().shear();
   if (shear.is_present()) {
-    add("shear",
-        "rate " + readable(shear.rate) + ", a strain of " + readable(shear.rate * until) + " in all");
+    rows.add("shear",
+             "rate " + readable(shear.rate) + ", a strain of " + readable(shear.rate * until) + " in all",
+             "shear_rate", shear.rate);
   }
   const Vec3& gravity = space.motion().gravity();
   if (gravity != Vec3{}) {
-    add("gravity", to_text(gravity.x) + ", " + to_text(gravity.y) + ", " + to_text(gravity.z));
+    rows.add("gravity", to_text(gravity.x) + ", " + to_text(gravity.y) + ", " + to_text(gravity.z), "gravity",
+             {gravity.x, gravity.y, gravity.z});
   }
+  const auto add_wall = [&](std::string_view name, const std::string& text) {
+    rows.add(name, text, "walls/-", {{"name", name}, {"what", text}});
+  };
   for (Face face = 0; face < kFaces; ++face) {
     if (space.box().has_own_properties(face))
-      add(kFaceNames[face], describe(space.box().face(face), scenario));
+      add_wall(kFaceNames[face], describe(space.box().face(face), scenario));
   }
-  for (std::uint32_t k = 0; k < space.surfaces().size(); ++k) {
-    add(wall_name(space, kFaces + k), describe(space.surfaces()[k]));
-  }
-  if (const auto& growth = scenario.growth) add("growth", describe(*growth));
-  if (simulation.thermostat()) add("thermostat", describe(simulation.thermostat()->kind()));
-  for (const ResponseText& text_of : response_texts(scenario)) add(text_of.who, text_of.what);
+  for (std::uint32_t k = 0; k < space.surfaces().size(); ++k)
+    add_wall(wall_name(space, kFaces + k), describe(space.surfaces()[k]));
+  if (const auto& growth = scenario.growth) rows.add("growth", describe(*growth), "growth");
+  if (simulation.thermostat())
+    rows.add("thermostat", describe(simulation.thermostat()->kind()), "thermostat");
+  for (const ResponseText& text_of : response_texts(scenario))
+    rows.add(text_of.who, text_of.what, "responses/-", {{"who", text_of.who}, {"what", text_of.what}});
   const Kinds kinds = kinds_of(scenario, outlook);
-  if (!kinds.species.empty()) add("species", species_text(scenario, kinds.species));
+  if (!kinds.species.empty()) {
+    Json counts = Json::object();
+    for (std::size_t k = 0; k < kinds.species.size(); ++k)
+      counts[scenario.species[k].name] = kinds.species[k];
+    rows.add("species", species_text(scenario, kinds.species), "species", counts);
+  }
   if (kinds.kinematic > 0) {
-    add("kinematic", to_text(kinds.kinematic) + (kinds.kinematic == 1 ? " sphere" : " spheres"));
+    rows.add("kinematic", to_text(kinds.kinematic) + (kinds.kinematic == 1 ? " sphere" : " spheres"),
+             "kinematic", kinds.kinematic);
   }
   const Features features = features_of(scenario, outlook, kinds);
-  if (!features.is_empty()) add("features", names_of(features));
-  const Features excluded = excluded_by(features);
-  if (!excluded.is_empty()) add("excluded", names_of(excluded));
-  add("radius", describe_radii(simulation.world()));
-  add(statistics.is_flat() ? "area fraction" : "packing fraction", readable(statistics.packing_fraction()));
-  add("mean speed", readable(statistics.mean_speed));
-  add("mean free path", readable(mean_free_path(statistics)));
-  add("mean free time", readable(mean_free_time(statistics)));
-  add("engine", std::string(name_of(simulation.engine())));
-  if (length > 0) add(has_lists ? "skin of lists" : "cell edge", readable(length));
-  add("memory",
-      fmt::format("{:.4g} MB, {:.0f} bytes per sphere", bytes_per_sphere * spheres / 1e6, bytes_per_sphere));
-  add("until", readable(until));
-  add("expected from the density and speed at the start:", "");
-  add("  collisions", readable(spheres * until / mean_free_time(statistics) / 2));
-  add("  wall contacts", readable(spheres * until * wall_rate(statistics)));
+  const auto add_names = [&](std::string_view name, Features some) {
+    const std::vector<std::string> names = names_of(some);
+    if (!names.empty()) rows.add(name, fmt::format("{}", fmt::join(names, ", ")), name, names);
+  };
+  add_names("features", features);
+  add_names("excluded", excluded_by(features));
+  const Radii radii = radii_of(simulation.world());
+  rows.add("radius", describe(radii), "radius",
+           {{"mean", radii.mean}, {"least", radii.least}, {"most", radii.most}});
+  rows.add(statistics.is_flat() ? "area fraction" : "packing fraction", statistics.packing_fraction(),
+           "packing_fraction");
+  rows.add("mean speed", statistics.mean_speed, "mean_speed");
+  rows.add("mean free path", mean_free_path(statistics), "mean_free_path");
+  rows.add("mean free time", mean_free_time(statistics), "mean_free_time");
+  rows.add("engine", std::string(name_of(simulation.engine())), "engine");
+  if (length > 0)
+    rows.add(has_lists ? "skin of lists" : "cell edge", length, has_lists ? "skin" : "cell_edge");
+  const double bytes = memory_bytes(outlook);
+  rows.add("memory", fmt::format("{:.4g} MB, {:.0f} bytes per sphere", bytes / 1e6, bytes / spheres),
+           "memory_bytes", std::round(bytes));
+  rows.add("until", until, "until");
+  rows.add_heading("expected from the density and speed at the start:");
+  rows.add("  collisions", spheres * until / mean_free_time(statistics) / 2, "expected/collisions");
+  rows.add("  wall contacts", spheres * until * wall_rate(statistics), "expected/wall_contacts");
   if (length > 0 && !has_lists) {
     const CellCounts counts = expected_counts(statistics, length);
-    add("  cells entered", readable(spheres * until * counts.enter));
-    add("  pair predictions", readable(spheres * until * counts.predictions()));
+    rows.add("  cells entered", spheres * until * counts.enter, "expected/cells_entered");
+    rows.add("  pair predictions", spheres * until * counts.predictions(), "expected/pair_predictions");
   }
-  if (outlook.is_sample) {
-    add("  time on one core", "about " + to_one_digit(seconds_by_theory(outlook, until, length)) + " s");
-  } else {
-    const Trial trial = try_out(scenario, outlook);
-    add("  time on one core", "about " + to_one_digit(expected_seconds(scenario, outlook, trial)) + " s");
-    if (!trial.failure.empty()) add("note", "a trial of this run failed: " + trial.failure);
-  }
-  for (const std::string& note : outlook.notes) add("note", note);
-  for (const std::string& warning : warnings_of(scenario, statistics)) add("note", warning);
+  const Forecast forecast = forecast_by_trial(scenario, outlook);
+  rows.add("  time on one core", "about " + to_one_digit(forecast.seconds) + " s", "expected/seconds",
+           number_or_null(forecast.seconds));
+  const auto add_note = [&](const std::string& note) { rows.add("note", note, "notes/-"); };
+  if (!forecast.failure.empty()) add_note("a trial of this run failed: " + forecast.failure);
+  for (const std::string& note : outlook.notes) add_note(note);
+  for (const std::string& warning : warnings_of(scenario, statistics)) add_note(warning);
   if (scenario.has_steps())
-    add("note", "the numbers expected are those of hard spheres: steps of potentials add events");
+    add_note("the numbers expected are those of hard spheres: steps of potentials add events");
   if (outlook.is_sample) {
-    add("note",
-        fmt::format(
-            "too many spheres to place here: the memory is estimated from a sample of {}, and whether "
-            "all fit is not checked",
-            simulation.size()));
+    add_note(fmt::format(
+        "too many spheres to place here: the memory is estimated from a sample of {}, and whether "
+        "all fit is not checked",
+        simulation.size()));
   }
-  return rows;
+  return rows.take();
 }
 
 ExitCode check(const CheckOptions& options) {
   catch_signals();
+  const std::vector<TableRow> rows = check_rows(options);
+  if (options.output.json) {
+    Json json;
+    for (const TableRow& row : rows) {
+      if (!row.key.empty()) json[Json::json_pointer(row.key)] = Json::parse(row.json);
+    }
+    write_output(json.dump(2) + "\n");
+    return ExitCode::done;
+  }
   std::string text;
-  for (const auto& [name, value] : check_rows(options))
-    text += value.empty() ? name + "\n" : table_line(name, value);
+  for (const TableRow& row : rows)
+    text += row.text.empty() ? row.name + "\n" : table_line(row.name, row.text);
   write_output(text);
   return ExitCode::done;
 }

@@ -19,6 +19,8 @@ enum class ExitCode : int {
 /// Several processes call it with the same options; only the first one writes messages, and files but for
 /// checkpoints. Error: in all processes.
 ExitCode run(const RunOptions& options, Processes& processes);
+/// Runs a scenario as `run` does, but leaves signals alone: for one of many runs in this process.
+ExitCode run_in_process(const RunOptions& options, Processes& processes = one_process());
 /// Resumes a run in several processes, which call it with the same options. Error: in all processes.
 ExitCode resume(const ResumeOptions& options, Processes& processes);
 ExitCode verify(const VerifyOptions& options);
@@ -29,5 +31,6 @@ ExitCode convert(const ConvertOptions& options);
 ExitCode info(const InfoOptions& options);
 ExitCode view(const ViewOptions& options);
 ExitCode replay(const ReplayOptions& options);
+ExitCode sweep(const SweepOptions& options);
 
 }  // namespace hardball::cli

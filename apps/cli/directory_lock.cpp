@@ -27,28 +27,37 @@ bool is_named(int file, const std::filesystem::path& path) {
 
 }  // namespace
 
-DirectoryLock::DirectoryLock(const std::filesystem::path& directory) : path_(directory / "run.lock") {
+std::optional<DirectoryLock> DirectoryLock::if_free(const std::filesystem::path& directory,
+                                                    const char* name) {
   constexpr mode_t kReadableByAll = 0644;
-  refuse_link(path_);
+  const std::filesystem::path path = directory / name;
+  refuse_link(path);
+  int file = -1;
   do {
-    if (file_ >= 0) close(file_);
-    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, kReadableByAll);
-    if (file_ < 0) {
+    if (file >= 0) close(file);
+    file = open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, kReadableByAll);
+    if (file < 0) {
       throw Error(std::string("cannot be written to: ") + std::strerror(errno), directory.string(),
                   "name another directory for the output");
     }
-    if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    if (flock(file, LOCK_EX | LOCK_NB) != 0) {
       const int reason = errno;
-      close(file_);
-      if (reason == EWOULDBLOCK) {
-        throw Error("another run is writing to it", directory.string(),
-                    "wait until that run has ended, or name another directory for the output");
-      }
+      close(file);
+      if (reason == EWOULDBLOCK) return std::nullopt;
       throw Error(std::string("cannot be locked: ") + std::strerror(reason), directory.string(),
                   "name a directory on another file system");
     }
-  } while (!is_named(file_, path_));
+  } while (!is_named(file, path));
+  return DirectoryLock(path, file);
 }
+
+DirectoryLock::DirectoryLock(const std::filesystem::path& directory)
+    : DirectoryLock([&] {
+        std::optional<DirectoryLock> lock = if_free(directory, kRunLock);
+        if (lock) return std::move(*lock);
+        throw Error("another run is writing to it", directory.string(),
+                    "wait until that run has ended, or name another directory for the output");
+      }()) {}
 
 DirectoryLock::~DirectoryLock() {
   if (file_ < 0) return;

@@ -3,21 +3,32 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 namespace hardball::cli {
 
-/// Keeps other runs out of a directory while it exists: an advisory lock on the file run.lock in it, which
-/// the system gives up when the process ends, however it ends.
+/// The file by which a run keeps others out of its directory. A run that is killed leaves it there.
+inline constexpr const char* kRunLock = "run.lock";
+
+/// Keeps others out of a directory while it exists: an advisory lock on a file in it, which the system gives
+/// up when the process ends, however it ends.
 class DirectoryLock {
  public:
-  /// Error: another run holds the lock, or the directory cannot be written to.
+  /// The lock of a run, on the file kRunLock. Error: another run holds the lock, or the directory cannot be
+  /// written to.
   explicit DirectoryLock(const std::filesystem::path& directory);
+  /// The lock on the file of this name in a directory; none if another holds it. Error: the directory cannot
+  /// be written to.
+  static std::optional<DirectoryLock> if_free(const std::filesystem::path& directory, const char* name);
   /// Removes the file.
   ~DirectoryLock();
   DirectoryLock(DirectoryLock&& other) noexcept;
   DirectoryLock& operator=(DirectoryLock&&) = delete;
 
  private:
+  DirectoryLock(std::filesystem::path path, int file) : path_(std::move(path)), file_(file) {}
+
   std::filesystem::path path_;
   int file_ = -1;
 };

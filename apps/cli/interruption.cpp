@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/interruption.hpp"
 
+#include <atomic>
 #include <csignal>
 #include <utility>
 
 namespace hardball::cli {
 namespace {
 
-volatile std::sig_atomic_t signal_came = 0;
+std::atomic<bool> is_requested = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a handler of signals sets it");
 Function<bool()> ask;
 
 extern "C" void note_signal(int) {
-  signal_came = 1;
+  is_requested = true;
 }
 
 }  // namespace
@@ -27,7 +29,11 @@ void catch_signals() {
 }
 
 bool is_interrupted() {
-  return signal_came != 0 || (ask && ask());
+  return is_requested || (ask && ask());
+}
+
+void request_interruption(bool is_wanted) {
+  is_requested = is_wanted;
 }
 
 void ask_for_interruption(Function<bool()> whether) {

@@ -10,8 +10,12 @@ namespace hardball::cli {
 /// size limit becomes an error instead of a signal.
 void catch_signals();
 
-/// Whether such a signal has been received, or who was to be asked says so.
+/// Whether such a signal has been received, interruption was requested, or who was to be asked says so. May
+/// be called in any thread.
 bool is_interrupted();
+
+/// From now on runs are interrupted as by a signal, or no longer.
+void request_interruption(bool is_wanted);
 
 /// Asks `whether` from now on, too: for a program that catches signals by itself, as Python does.
 void ask_for_interruption(Function<bool()> whether);

@@ -86,6 +86,8 @@ void declare(Arguments arguments, RunOptions& options) {
   declare(arguments, options.output);
   arguments.add_flag("--overwrite", options.overwrite,
                      "Replace the files of an earlier run in the directory");
+  arguments.add_flag("--resume", options.resume,
+                     "Resume the run from its checkpoint in the directory; start it if there is none");
 }
 
 void declare(Arguments arguments, ResumeOptions& options) {
@@ -104,7 +106,7 @@ void declare(Arguments arguments, VerifyOptions& options) {
 void declare(Arguments arguments, CheckOptions& options) {
   declare(arguments, options.scenario);
   declare(arguments, options.engine);
-  add_quiet(arguments, options.quiet);
+  declare(arguments, options.output);
   arguments.add_answer("--schema", scenario_schema, "Print a JSON Schema of scenarios, for editors");
 }
 
@@ -156,6 +158,24 @@ void declare(Arguments arguments, ReplayOptions& options) {
   declare(arguments, options.run);
   arguments.add("--out", options.out, "FILE", "The HTML file");
   arguments.add_flag("--overwrite", options.overwrite, "Replace an existing file");
+}
+
+void declare(Arguments arguments, SweepOptions& options) {
+  arguments.add("STUDY", options.study, "TEXT", "Study file (TOML)");
+  arguments.add("--out", options.out, "DIRECTORY",
+                "Directory of the members and tables, instead of the study without .toml");
+  arguments.add(
+      "--workers", options.workers, "NUMBER",
+      "How many members run at once, each in one thread; one more than there are cores if not given");
+  arguments.add("--member", options.member, "NUMBER",
+                "Run only this part of the members, from 1, and write no tables; for arrays of jobs");
+  arguments.add("--of", options.of, "NUMBER", "How many parts there are");
+  arguments.add_flag("--retry", options.retry, "Run members again that have failed");
+  arguments.add_flag("--table", options.table, "Only write the tables of what has finished");
+  arguments.add_flag("--prepare", options.prepare,
+                     "Only make the directories of members, each with values.json");
+  arguments.add_flag("--dry-run", options.dry_run, "Only check, and list what would run, the longest first");
+  declare(arguments, options.output);
 }
 
 void declare(Arguments arguments, CompletionOptions& options) {

@@ -40,6 +40,7 @@ struct EngineChoice {
 struct OutputStyle {
   bool json = false;
   bool quiet = false;
+  bool silent = false;  ///< Prints nothing, for one of many runs in this process.
 };
 
 /// A run to be shown by the viewer.
@@ -58,13 +59,15 @@ struct RunOptions {
   std::optional<std::string> out;
   OutputStyle output;
   bool overwrite = false;
+  bool resume = false;
 };
 
 /// The options of hardball resume.
 struct ResumeOptions {
   std::string directory;
-  std::optional<std::string> until;
-  std::optional<std::string> checkpoint;  ///< A path relative to the directory.
+  std::optional<std::string> until = {};
+  std::optional<std::string> checkpoint = {};  ///< A path relative to the directory.
+  std::optional<ScenarioChoice> started = {};  ///< How the run must have been started, if that matters.
   std::string threads = "auto";
   OutputStyle output;
 };
@@ -79,7 +82,7 @@ struct VerifyOptions {
 struct CheckOptions {
   ScenarioChoice scenario;
   EngineChoice engine;
-  bool quiet = false;
+  OutputStyle output;
 };
 
 /// The options of hardball tune.
@@ -135,6 +138,20 @@ struct ReplayOptions {
   bool overwrite = false;
 };
 
+/// The options of hardball sweep.
+struct SweepOptions {
+  std::string study;
+  std::optional<std::string> out;
+  std::optional<std::string> workers;
+  std::optional<std::string> member;  ///< The number of a part, from 1 on, of as many as `of` says.
+  std::optional<std::string> of;
+  OutputStyle output;
+  bool retry = false;
+  bool table = false;
+  bool prepare = false;
+  bool dry_run = false;
+};
+
 /// The options of hardball completion.
 struct CompletionOptions {
   std::string shell;
@@ -152,6 +169,7 @@ void declare(Arguments arguments, ConvertOptions& options);
 void declare(Arguments arguments, InfoOptions& options);
 void declare(Arguments arguments, ViewOptions& options);
 void declare(Arguments arguments, ReplayOptions& options);
+void declare(Arguments arguments, SweepOptions& options);
 void declare(Arguments arguments, CompletionOptions& options);
 
 }  // namespace hardball::cli

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/edge_sweep.hpp"
 #include "apps/cli/options.hpp"
-#include "apps/cli/sweep.hpp"
 #include "hardball/memory/function.hpp"
 
 /// What commands find, for those that print it and for the Python package. Errors are those of the commands.
@@ -19,6 +19,8 @@ namespace hardball::cli {
 struct TableRow {
   std::string name;
   std::string text = {};
+  std::string key = {};   ///< The place in the object of --json, as a JSON Pointer; empty if there is none.
+  std::string json = {};  ///< The value at that place, as JSON.
 };
 
 /// What `check` says of a scenario, row by row.
@@ -42,7 +44,7 @@ bool verify_ways(const VerifyOptions& options, const Function<void(const Verifie
 
 /// What `tune` finds.
 struct Tuning {
-  Sweep sweep;
+  EdgeSweep sweep;
   std::string text;  ///< What the command prints.
 };
 

@@ -24,6 +24,7 @@
 #include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
 #include "hardball/processes.hpp"
+#include "hardball/scenario/error_watch.hpp"
 #include "hardball/scenario/rest_watch.hpp"
 #include "hardball/simulation/simulation_checkpoint.hpp"
 
@@ -52,6 +53,7 @@ class Course {
         progress_(processes_.is_first() && !run.output.quiet, *run.scenario.run.until),
         seconds_before_(run.seconds.run),
         rest_(run.scenario, run.simulation.totals(), run.simulation.size()),
+        errors_(run.measures.is_any_wanted() ? ErrorWatch(run.scenario) : ErrorWatch()),
         schedule_(run.directory ? run.scenario.output : OutputDescription(), run.next_snapshot,
                   run.simulation.time()) {
     observe_files();
@@ -59,6 +61,8 @@ class Course {
 
   /// Since when all spheres are at rest [T].
   const std::optional<double>& at_rest_since() const { return rest_.since(); }
+  /// What says when errors were as small as wanted.
+  const ErrorWatch& errors() const { return errors_; }
 
   // False if interrupted by a signal.
   bool complete() {
@@ -81,9 +85,13 @@ class Course {
     for (;;) {
       const double now = run_.simulation.time();
       rest_.look(now, [&] { return run_.simulation.totals(); });
+      if (errors_.is_time_to_look(now))
+        errors_.look(now, run_.measures.results(run_.simulation.world(), run_.simulation.now()));
+      if (errors_.reached()) return true;
       const double snapshot = schedule_.snapshot_time(until);
       const double checkpoint = schedule_.kept_time();
-      const double next = std::min({snapshot, checkpoint, until, rest_.next_look(now)});
+      const double next =
+          std::min({snapshot, checkpoint, until, rest_.next_look(now), errors_.next_look(now)});
       const RunStatus status =
           rest_.since() ? RunStatus::time_reached : run_to(next, schedule_.snapshot_contacts());
       if (status == RunStatus::stopped) return false;
@@ -177,6 +185,7 @@ class Course {
   Progress progress_;
   double seconds_before_;
   RestWatch rest_;
+  ErrorWatch errors_;
   OutputSchedule schedule_;                   // without files, of nothing
   double observed_ = run_.simulation.time();  // the time of the last contact observed
   std::string failure_;                       // of files, in the midst of a run
@@ -193,8 +202,24 @@ bool is_whole(const std::filesystem::path& directory, double time, double until)
   return time == until && is_finished(directory);
 }
 
+// Error: the run in a directory was started in another way.
+void require_same_start(const RunState& state, const ScenarioChoice& choice,
+                        const std::filesystem::path& directory) {
+  const auto require = [&](bool is_same, const char* what) {
+    if (is_same) return;
+    throw Error(std::string("holds a run that was started with another ") + what, directory.string(),
+                "name another directory, resume that run with 'hardball resume', or replace its files with "
+                "--overwrite instead of --resume");
+  };
+  require(state.text == read_scenario(choice).text, "scenario");
+  require(state.choice.overrides == choice.overrides, "--set");
+  require(state.choice.until == choice.until, "--until");
+  require(state.choice.seed == choice.seed, "--seed");
+}
+
 // Says that the run in a directory is whole; with --json, writes its summary to the standard output.
 void tell_of_whole_run(const std::filesystem::path& directory, double time, const OutputStyle& output) {
+  if (output.silent) return;
   if (output.json) write_output(read_file(directory / kSummary));
   if (output.quiet) return;
   write_message(directory.string() + ": the run is whole: it has reached its end at time " + to_text(time) +
@@ -234,20 +259,26 @@ ExitCode carry_out(StartedRun& run) {
   Simulation& simulation = run.simulation;
   Course course(run);
   const bool is_complete = course.complete();
+  std::vector<Measurement> measurements;
+  if (run.measures.is_any_wanted() || (run.directory && run.scenario.output.report)) {
+    run.measures.sample_the_rest(simulation.world(), simulation.now());
+    measurements = run.measures.results(simulation.world(), simulation.now());
+  }
+  if (is_complete && !course.errors().reached()) {
+    for (std::string& failure : course.errors().failures(measurements))
+      run.notes.push_back(std::move(failure));
+  }
   Summary summary{run.scenario, run.choice.overrides, final_state(run.scenario, simulation), run.seconds,
                   run.notes};
   summary.state.at_rest_since = course.at_rest_since();
+  summary.state.errors_reached_at = course.errors().reached();
   const std::string json = summary.json();
-  std::vector<Measurement> measurements;
   std::string html;
-  if (run.directory && (run.measures.is_any_wanted() || run.scenario.output.report)) {
-    run.measures.sample_the_rest(simulation.world(), simulation.now());
-    measurements = run.measures.results(simulation.world(), simulation.now());
-    if (run.scenario.output.report)
-      html = to_html(run_report(run.choice, run.scenario, simulation, summary, measurements, is_complete));
-  }
+  if (run.directory && run.scenario.output.report)
+    html = to_html(run_report(run.choice, run.scenario, simulation, summary, measurements, is_complete));
   in_first(run.processes(), [&] {
     if (run.files) run.files->finish(simulation.time(), measurements, json, html);
+    if (run.output.silent) return;
     write_output(run.output.json ? json : summary.table());
     if (is_complete) return;
     write_message("interrupted at time " + to_text(simulation.time()) + " of " +
@@ -271,6 +302,7 @@ std::optional<StartedRun> resumed_run(const ResumeOptions& options, Processes& p
     restore(checkpoint->section("run"), path.string(), state);
     restore(checkpoint->section("files"), path.string(), files);
     restore(checkpoint->section("measures"), path.string(), measures);
+    if (options.started) require_same_start(state, *options.started, directory);
   });
   if (processes.size() > 1) {
     require_same(processes,

@@ -69,8 +69,8 @@ void open_files(StartedRun& run, bool overwrites);
 ExitCode carry_out(StartedRun& run);
 
 /// The run that has written a checkpoint into a directory, with its files truncated to then; nothing if it is
-/// whole, which this says. Error: the checkpoint is missing or damaged, or the files are; the run has gone
-/// beyond its end; another run is writing to the directory.
+/// whole, which this says. Error: the checkpoint is missing or damaged, or the files are; the run was started
+/// in another way than wanted, or has gone beyond its end; another run is writing to the directory.
 std::optional<StartedRun> resumed_run(const ResumeOptions& options, Processes& processes);
 
 }  // namespace hardball::cli

@@ -92,7 +92,9 @@ std::string Summary::json() const {
   nlohmann::ordered_json json;
   json["spheres"] = state.spheres;
   json["time"] = end_time();
+  json["until"] = *scenario.run.until;
   if (state.at_rest_since) json["at_rest_since"] = *state.at_rest_since;
+  if (state.errors_reached_at) json["errors_reached_at"] = *state.errors_reached_at;
   json["events"] = {{"collision", state.counters.collision},
                     {"wall", state.counters.wall},
                     {"enter", state.counters.enter},
@@ -175,6 +177,7 @@ std::string Summary::table() const {
   add("time", fmt::format("{:.6g}", end_time()));
   if (state.at_rest_since)
     add("  at rest since", fmt::format("{:.6g}: nothing happens after that", *state.at_rest_since));
+  if (state.errors_reached_at) add("  errors", "as small as until_error wants");
   if (scenario.settles && !state.at_rest_since)
     add("  not at rest", "at the end: a heap that is needs a longer run");
   add("collisions", fmt::format("{}", state.counters.collision));

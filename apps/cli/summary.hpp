@@ -36,6 +36,7 @@ struct FinalState {
   Box box;
   Time now;
   std::optional<double> at_rest_since = {};  ///< When all spheres came to rest, which is how they stay [T].
+  std::optional<double> errors_reached_at = {};  ///< When errors were as small as wanted [T].
   Counters counters;
   std::size_t domains = 1;  ///< How many worked on the system.
   WindowCounters windows;

@@ -12,13 +12,13 @@
 
 #include "apps/chart/chart.hpp"
 #include "apps/cli/commands.hpp"
+#include "apps/cli/edge_sweep.hpp"
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/output_paths.hpp"
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
 #include "apps/cli/results.hpp"
 #include "apps/cli/start.hpp"
-#include "apps/cli/sweep.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/unit_costs.hpp"
 #include "apps/cli/warnings.hpp"
@@ -42,11 +42,11 @@ double ratio(double a, double b) {
 }
 
 // Events of a kind per sphere and unit of time.
-double rate(const Sweep& sweep, std::size_t spheres, std::uint64_t events) {
+double rate(const EdgeSweep& sweep, std::size_t spheres, std::uint64_t events) {
   return static_cast<double>(events) / (static_cast<double>(spheres) * sweep.span);
 }
 
-Compared candidates_after_contact(const SweepPoint& point) {
+Compared candidates_after_contact(const EdgePoint& point) {
   const CellCounts& expected = point.expected;
   const double passes = static_cast<double>(2 * point.counted.collision + point.counted.wall);
   return {ratio(expected.collision * expected.candidates_after_collision +
@@ -55,12 +55,12 @@ Compared candidates_after_contact(const SweepPoint& point) {
           ratio(static_cast<double>(point.counted.contact_predictions), passes)};
 }
 
-Compared candidates_after_enter(const SweepPoint& point) {
+Compared candidates_after_enter(const EdgePoint& point) {
   return {point.expected.candidates_after_enter, ratio(static_cast<double>(point.counted.enter_predictions),
                                                        static_cast<double>(point.counted.enter))};
 }
 
-Compared stale_per_collision(const SweepPoint& point) {
+Compared stale_per_collision(const EdgePoint& point) {
   return {ratio(2 * point.expected.stale, point.expected.collision),
           ratio(static_cast<double>(point.counted.stale), static_cast<double>(point.counted.collision))};
 }
@@ -69,7 +69,7 @@ std::string pair_of(const Compared& comparison) {
   return fmt::format("  {:>9.4g} {:>9.4g}", comparison.predicted, comparison.counted);
 }
 
-std::string marks_of(const Sweep& sweep, const SweepPoint& point) {
+std::string marks_of(const EdgeSweep& sweep, const EdgePoint& point) {
   std::string marks;
   if (point.is_chosen) marks += " auto";
   if (point.is_paper) marks += " paper";
@@ -77,8 +77,8 @@ std::string marks_of(const Sweep& sweep, const SweepPoint& point) {
   return marks;
 }
 
-std::string table(const Sweep& sweep, const GasStatistics& statistics, const UnitCosts& costs) {
-  const SweepPoint& chosen = sweep.chosen();
+std::string table(const EdgeSweep& sweep, const GasStatistics& statistics, const UnitCosts& costs) {
+  const EdgePoint& chosen = sweep.chosen();
   const std::size_t spheres = statistics.spheres;
   const auto both = [&](double expected, std::uint64_t counted) {
     return fmt::format("{:.4g} predicted, {:.4g} counted", expected, rate(sweep, spheres, counted));
@@ -102,7 +102,7 @@ std::string table(const Sweep& sweep, const GasStatistics& statistics, const Uni
   text += fmt::format("{:>9}  {:>9} {:>9}", "", "predicted", "measured");
   for (int column = 0; column < 4; ++column) text += fmt::format("  {:>9} {:>9}", "predicted", "counted");
   text += "\n";
-  for (const SweepPoint& point : sweep.points) {
+  for (const EdgePoint& point : sweep.points) {
     text += fmt::format("{:>9.4g}", point.edge);
     text += pair_of({point.predicted_seconds, point.median_seconds()});
     text += pair_of({point.expected.enter, rate(sweep, spheres, point.counted.enter)});
@@ -118,12 +118,12 @@ std::string table(const Sweep& sweep, const GasStatistics& statistics, const Uni
   return text;
 }
 
-std::string csv(const Sweep& sweep, std::size_t spheres) {
+std::string csv(const EdgeSweep& sweep, std::size_t spheres) {
   std::string text =
       "cell_edge [L],predicted [s/T],measured_median [s/T],measured_least [s/T],measured_most [s/T],"
       "predicted_enter [1/T],counted_enter [1/T],predicted_after_contact [1],counted_after_contact [1],"
       "predicted_after_enter [1],counted_after_enter [1],predicted_stale [1],counted_stale [1],marks\n";
-  for (const SweepPoint& point : sweep.points) {
+  for (const EdgePoint& point : sweep.points) {
     const Compared contact = candidates_after_contact(point);
     const Compared enter = candidates_after_enter(point);
     const Compared stale = stale_per_collision(point);
@@ -137,11 +137,11 @@ std::string csv(const Sweep& sweep, std::size_t spheres) {
 }
 
 // The predicted curve and the measured points.
-void add_series(chart::Chart& chart, const Sweep& sweep, const std::string& name,
-                const std::function<Compared(const SweepPoint&)>& what) {
+void add_series(chart::Chart& chart, const EdgeSweep& sweep, const std::string& name,
+                const std::function<Compared(const EdgePoint&)>& what) {
   chart::Series theory{.name = name + ", predicted", .marks = false};
   chart::Series measured{.name = name + ", measured", .line = false, .like_previous = true};
-  for (const SweepPoint& point : sweep.points) {
+  for (const EdgePoint& point : sweep.points) {
     const Compared comparison = what(point);
     theory.x.push_back(point.edge);
     theory.y.push_back(comparison.predicted);
@@ -152,12 +152,12 @@ void add_series(chart::Chart& chart, const Sweep& sweep, const std::string& name
   chart.series.push_back(std::move(measured));
 }
 
-std::string figure(const Sweep& sweep, const Scenario& scenario, std::size_t spheres) {
+std::string figure(const EdgeSweep& sweep, const Scenario& scenario, std::size_t spheres) {
   chart::Chart cost;
   cost.title = scenario.name + ": cost";
   cost.x = {.label = "edge of the cells [L]", .logarithmic = true};
   cost.y = {.label = "seconds for a unit of simulated time [s/T]", .logarithmic = true};
-  add_series(cost, sweep, "cost", [](const SweepPoint& point) {
+  add_series(cost, sweep, "cost", [](const EdgePoint& point) {
     return Compared{point.predicted_seconds, point.median_seconds()};
   });
   cost.markers = {{sweep.chosen().edge, "auto"}};
@@ -166,7 +166,7 @@ std::string figure(const Sweep& sweep, const Scenario& scenario, std::size_t sph
   counts.title = scenario.name + ": counts";
   counts.x = cost.x;
   counts.y = {.label = "number", .logarithmic = true};
-  add_series(counts, sweep, "enters per sphere and time", [&](const SweepPoint& point) {
+  add_series(counts, sweep, "enters per sphere and time", [&](const EdgePoint& point) {
     return Compared{point.expected.enter, rate(sweep, spheres, point.counted.enter)};
   });
   add_series(counts, sweep, "predictions after a contact", candidates_after_contact);
@@ -228,7 +228,7 @@ Tuning tune_cells(const TuneOptions& options) {
   std::optional<Budget> budget(std::in_place, seconds, !options.quiet);
   settle(simulation, scenario, *budget);
   const GasStatistics statistics = gas_statistics(simulation.world(), simulation.now());
-  Sweep sweep = sweep_cell_edges(simulation, simulation.options(), *budget);
+  EdgeSweep sweep = sweep_cell_edges(simulation, simulation.options(), *budget);
   budget.reset();
   std::string files;
   if (options.out) {

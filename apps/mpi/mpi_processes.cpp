@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <optional>
 #include <system_error>
 
@@ -21,6 +22,11 @@ namespace fs = std::filesystem;
 constexpr const char* kCounts[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"};
 // That of PMIx, which says only that there may be several.
 constexpr const char* kRank = "PMIX_RANK";
+
+// The length before a text, and how much of it comes with that: less than networks hold back until room is
+// made for it.
+constexpr std::size_t kHead = sizeof(std::uint64_t);
+constexpr std::size_t kBegin = 32768;
 
 // The first variable that is set.
 struct Sign {
@@ -113,32 +119,35 @@ std::vector<std::string> MpiProcesses::exchange(std::span<const std::size_t> pee
                                                 std::span<const std::string> outgoing) {
   check_thread();
   const std::size_t count = peers.size();
-  std::vector<MpiMessage> messages(count);
+  std::vector<MpiMessage> messages;
   const auto exchange_messages = [&] {
-    require_success(plugin_.exchange(messages.data(), count), "exchange messages");
+    require_success(plugin_.exchange(messages.data(), messages.size()), "exchange messages");
+    messages.clear();
   };
-  // First how long they are.
-  std::vector<std::uint64_t> own_lengths(count);
-  std::vector<std::uint64_t> lengths(count);
+  // The begin of each text, after its length: most texts are whole then, and have taken the latency of the
+  // network once.
+  std::vector<std::string> own(count);
+  std::vector<std::string> incoming(count, std::string(kHead + kBegin, 0));
   for (std::size_t k = 0; k < count; ++k) {
-    own_lengths[k] = outgoing[k].size();
-    messages[k] = {.peer = peers[k],
-                   .outgoing = reinterpret_cast<const char*>(&own_lengths[k]),
-                   .outgoing_size = sizeof(std::uint64_t),
-                   .incoming = reinterpret_cast<char*>(&lengths[k]),
-                   .incoming_size = sizeof(std::uint64_t)};
+    const std::uint64_t length = outgoing[k].size();
+    own[k].assign(reinterpret_cast<const char*>(&length), kHead);
+    own[k].append(outgoing[k], 0, kBegin);
+    messages.push_back({peers[k], own[k].data(), own[k].size(), incoming[k].data(), incoming[k].size()});
   }
   exchange_messages();
-  std::vector<std::string> incoming(count);
+  const auto rest_of = [](std::uint64_t length) { return length > kBegin ? length - kBegin : 0; };
   for (std::size_t k = 0; k < count; ++k) {
-    incoming[k].resize(lengths[k]);
-    messages[k] = {.peer = peers[k],
-                   .outgoing = outgoing[k].data(),
-                   .outgoing_size = outgoing[k].size(),
-                   .incoming = incoming[k].data(),
-                   .incoming_size = incoming[k].size()};
+    std::uint64_t length = 0;
+    std::memcpy(&length, incoming[k].data(), kHead);
+    incoming[k].erase(0, kHead);
+    incoming[k].resize(length);
+    const std::size_t own_rest = rest_of(outgoing[k].size());
+    const std::size_t rest = rest_of(length);
+    if (own_rest + rest > 0)
+      messages.push_back({peers[k], outgoing[k].data() + outgoing[k].size() - own_rest, own_rest,
+                          incoming[k].data() + length - rest, rest});
   }
-  exchange_messages();
+  if (!messages.empty()) exchange_messages();
   return incoming;
 }
 

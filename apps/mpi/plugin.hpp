@@ -13,13 +13,13 @@ namespace hardball {
 /// Counts up with every change of MpiPlugin, of MpiMessage, or of what their members mean.
 inline constexpr std::uint32_t kMpiPluginVersion = 1;
 
-/// Bytes that go to another process, and bytes that come from it, whose number both know.
+/// Bytes that go to another process, and room for those that come from it.
 struct MpiMessage {
   std::size_t peer;  ///< The rank of the other process.
   const char* outgoing;
   std::size_t outgoing_size;
   char* incoming;
-  std::size_t incoming_size;
+  std::size_t incoming_size;  ///< As many come, or fewer where one message of MPI holds them.
 };
 
 /// The functions of a plug-in for MPI. Those that return a text return null on success; otherwise the text

@@ -6,9 +6,11 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -46,6 +48,9 @@ struct GivenValueOf<std::optional<Value>> {
 };
 template <class Value>
 using GivenValue = typename GivenValueOf<Value>::type;
+
+/// Numbers with names, in the order of the names.
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
 /// A list of values of an enumeration.
 template <class List>

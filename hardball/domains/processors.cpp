@@ -57,13 +57,18 @@ std::vector<int> processors_of_thread(const std::vector<int>& available, std::si
   return processors;
 }
 
-std::size_t free_processors() {
+std::size_t allowed_processors() {
   std::size_t all = available_processors().size();
   if (all == 0) all = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+  return processors_by_quota(quota(), all);
+}
+
+std::size_t free_processors() {
+  const std::size_t all = allowed_processors();
   const std::size_t machine = std::max<std::size_t>(std::thread::hardware_concurrency(), all);
   const auto busy = static_cast<std::size_t>(std::lround(std::max(load(), 0.0)));
   const std::size_t idle = machine - std::min(busy, machine - 1);
-  return std::min({all, idle, processors_by_quota(quota(), all)});
+  return std::min(all, idle);
 }
 
 std::size_t processors_by_quota(std::string_view text, std::size_t processors) {

@@ -18,6 +18,9 @@ std::vector<int> available_processors();
 std::vector<int> processors_of_thread(const std::vector<int>& available, std::size_t threads,
                                       std::size_t number);
 
+/// The number of processors that this process may use, as the quota of a container allows; at least one.
+std::size_t allowed_processors();
+
 /// The number of idle processors that this process may use, from the one-minute load average and the quota of
 /// a container; at least one.
 std::size_t free_processors();

@@ -73,10 +73,13 @@ HARDBALL_ALWAYS_INLINE bool is_missed_along(std::size_t axis, const Box& box, co
   return std::fabs(sweep.middle - boxes * box.period()[axis]) > sweep.half;
 }
 
-// Whether one axis shows that no image comes within reach during an interval. Most do not.
+// Whether one axis shows that no image comes within reach during an interval. Most do not. Which axis does is
+// hard to predict, so that asking all of them costs less than branches.
 HARDBALL_ALWAYS_INLINE bool is_missed(const Box& box, const Relative& other, const Interval& during) {
-  return is_missed_along(0, box, other, during) || is_missed_along(1, box, other, during) ||
-         is_missed_along(2, box, other, during);
+  const bool along_x = is_missed_along(0, box, other, during);
+  const bool along_y = is_missed_along(1, box, other, during);
+  const bool along_z = is_missed_along(2, box, other, during);
+  return along_x | along_y | along_z;
 }
 
 // Calls visit(separation) for all images that may come within reach during an interval.

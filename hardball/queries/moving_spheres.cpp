@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hardball {
 namespace {
 
 // Small cells follow the surroundings of a body closely, large ones are looked at several spheres at a time.
-constexpr double kSpheresPerCell = 4;
+constexpr double kSpheresPerCell = 6;
 
 // More than single precision rounds sums of a few products by, over the largest of them.
 constexpr double kRounding = 0x1p-19;
@@ -20,149 +21,214 @@ double gap(double low, double high, double other_low, double other_high) {
   return std::max({0.0, other_low - high, low - other_high});
 }
 
-}  // namespace
-
-MovingSpheres::MovingSpheres(const World& world, const Time& now) {
-  const std::size_t size = world.size();
-  std::vector<Vec3> centers(size);
-  std::vector<Vec3> velocities(size);
-  double squared_speeds = 0;
-  double squared_radii = 0;
-  double fastest_squared = 0;
-  for (Slot slot = 0; slot < size; ++slot) {
-    const State state = world.motion().state_at(world.path(slot), now);
-    centers[slot] = state.position;
-    world.box().fold(centers[slot]);
-    velocities[slot] = state.velocity;
-    const double square = dot(state.velocity, state.velocity);
-    squared_speeds += square;
-    squared_radii += world.base_radius(slot) * world.base_radius(slot);
-    fastest_squared = std::max(fastest_squared, square);
-  }
-  fastest_ = std::sqrt(fastest_squared);
-  const double count = std::max(1.0, static_cast<double>(size));
-  usual_speed_ = std::min(fastest_, kUsual * std::sqrt(squared_speeds / count));
-  const double usual_radius = kUsual * std::sqrt(squared_radii / count);
-  choose_cells(centers, world.box());
-
-  constexpr std::uint32_t kNoCell = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> cells(size, kNoCell);
-  std::size_t usual = 0;
-  for (Slot slot = 0; slot < size; ++slot) {
-    const double speed_squared = dot(velocities[slot], velocities[slot]);
-    const double radius = world.base_radius(slot);
-    if (!(speed_squared <= usual_speed_ * usual_speed_ * (1 + 0x1p-40)) || radius > usual_radius) {
-      unusual_.push_back(slot);
-      continue;
-    }
-    largest_usual_radius_ = std::max(largest_usual_radius_, radius);
-    cells[slot] = cell_of(centers[slot]);
-    ++begins_[cells[slot] + 1];
-    ++usual;
-  }
-  for (std::size_t cell = 1; cell < begins_.size(); ++cell) begins_[cell] += begins_[cell - 1];
-  length_unit_ = std::max(std::numeric_limits<double>::min(), usual_radius);
-  for (const Axis& axis : axes_)
-    length_unit_ =
-        std::max({length_unit_, std::fabs(axis.low), std::fabs(axis.low + axis.count * axis.edge)});
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    positions_[axis].resize(usual);
-    velocities_[axis].resize(usual);
-  }
-  radii_.resize(usual);
-  slots_.resize(usual);
-  std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
-  for (Slot slot = 0; slot < size; ++slot) {
-    if (cells[slot] == kNoCell) continue;
-    const std::uint32_t at = next[cells[slot]]++;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      positions_[axis][at] = static_cast<float>(centers[slot][axis] / length_unit_);
-      velocities_[axis][at] =
-          usual_speed_ > 0 ? static_cast<float>(velocities[slot][axis] / usual_speed_) : 0;
-    }
-    radii_[at] = static_cast<float>(world.base_radius(slot) / length_unit_);
-    slots_[at] = slot;
-  }
+// The largest integer that is not above a number, which a 32-bit integer must hold.
+std::int32_t floor_of(double number) {
+  const auto towards_zero = static_cast<std::int32_t>(number);
+  return towards_zero - (towards_zero > number ? 1 : 0);
 }
 
-void MovingSpheres::choose_cells(std::span<const Vec3> centers, const Box& box) {
+// One over a size; zero for nothing.
+double inverse_of(double size) {
+  return size > 0 ? 1 / size : 0;
+}
+
+}  // namespace
+
+void MovingSpheres::sort(const World& world, const Time& now) {
+  const Box& box = world.box();
+  states_.resize(world.size());
+  low_ = high_ = {};
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    State& state = states_[slot];
+    state = world.motion().state_at(world.path(slot), now);
+    box.fold(state.position);
+    if (slot == 0) low_ = high_ = state.position;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      low_[axis] = std::min(low_[axis], state.position[axis]);
+      high_[axis] = std::max(high_[axis], state.position[axis]);
+    }
+  }
+  assign_layers(world);
+  choose_cells(box);
+  sort_by_cells();
+  copy_sorted(world);
+}
+
+void MovingSpheres::assign_layers(const World& world) {
+  const std::size_t size = world.size();
+  double squared_speeds = 0;
+  double squared_radii = 0;
+  for (Slot slot = 0; slot < size; ++slot) {
+    const double radius = world.base_radius(slot);
+    squared_speeds += dot(states_[slot].velocity, states_[slot].velocity);
+    squared_radii += radius * radius;
+  }
+  const double count = std::max(1.0, static_cast<double>(size));
+  const double mean_square = squared_speeds / count;
+  const double large = kLarge * std::sqrt(squared_radii / count);
+  std::array<double, kTopSpeeds.size()> tops;
+  for (std::size_t i = 0; i < tops.size(); ++i) tops[i] = kTopSpeeds[i] * kTopSpeeds[i] * mean_square;
+
+  layers_ = {};
+  layer_numbers_.resize(size);
+  for (Slot slot = 0; slot < size; ++slot) {
+    const double square = dot(states_[slot].velocity, states_[slot].velocity);
+    const double radius = world.base_radius(slot);
+    std::size_t number = 0;
+    for (const double top : tops) number += square > top ? 1 : 0;
+    if (radius > large) number = kLayers - 1;
+    layer_numbers_[slot] = static_cast<std::uint8_t>(number);
+    Layer& layer = layers_[number];
+    ++layer.size;
+    layer.speed = std::max(layer.speed, square);
+    layer.radius = std::max(layer.radius, radius);
+  }
+  fastest_ = 0;
+  for (Layer& layer : layers_) {
+    layer.speed = std::sqrt(layer.speed) * (1 + 0x1p-50);
+    fastest_ = std::max(fastest_, layer.speed);
+  }
+  usual_speed_ = std::min(fastest_, kTopSpeeds.back() * std::sqrt(mean_square));
+}
+
+void MovingSpheres::choose_cells(const Box& box) {
   double volume = 1;
   double dimensions = 0;
+  double radius = std::numeric_limits<double>::min();
+  for (const Layer& layer : layers_) radius = std::max(radius, layer.radius);
+  length_unit_ = radius;
   for (std::size_t number = 0; number < kAxes; ++number) {
-    Axis& axis = axes_[number];
-    double high = 0;
-    if (box.is_periodic(number)) {
-      axis.period = high = box.size()[number];
-    } else if (!centers.empty()) {
-      const auto along = [number](const Vec3& center) { return center[number]; };
-      axis.low = std::ranges::min(centers, {}, along)[number];
-      high = std::ranges::max(centers, {}, along)[number];
-    }
+    Axis& axis = extent_[number];
+    axis = {};
+    axis.low = box.is_periodic(number) ? 0 : low_[number];
+    const double high = box.is_periodic(number) ? box.size()[number] : high_[number];
+    axis.period = box.is_periodic(number) ? high : 0;
+    length_unit_ = std::max({length_unit_, std::fabs(axis.low), std::fabs(high)});
     axis.edge = high - axis.low;
     if (!(axis.edge > 0)) continue;
     volume *= axis.edge;
     ++dimensions;
   }
-  const double wanted = std::max(1.0, static_cast<double>(centers.size()) / kSpheresPerCell);
-  const double edge = dimensions > 0 ? std::pow(volume / wanted, 1 / dimensions) : 0;
-  cell_edge_ = edge;
-  std::size_t cells = 1;
-  for (Axis& axis : axes_) {
-    if (!(axis.edge > 0) || !(edge > 0)) continue;
-    axis.count = static_cast<std::int32_t>(std::clamp(std::floor(axis.edge / edge), 1.0, wanted));
-    axis.edge /= axis.count;
-    cells *= static_cast<std::size_t>(axis.count);
+  const auto edge_for = [&](double spheres) {
+    const double cells = std::max(1.0, spheres / kSpheresPerCell);
+    return dimensions > 0 ? std::pow(volume / cells, 1 / dimensions) : 0;
+  };
+  cell_edge_ = edge_for(static_cast<double>(states_.size()));
+  std::uint32_t cells = 0;
+  for (Layer& layer : layers_) {
+    layer.first_cell = cells;
+    layer.axes = extent_;
+    if (layer.size == 0) continue;
+    const double edge = edge_for(layer.size);
+    std::uint32_t own = 1;
+    for (Axis& axis : layer.axes) {
+      if (!(axis.edge > 0) || !(edge > 0)) continue;
+      axis.count =
+          static_cast<std::int32_t>(std::clamp(axis.edge / edge, 1.0, static_cast<double>(layer.size)));
+      axis.edge /= axis.count;
+      own *= static_cast<std::uint32_t>(axis.count);
+    }
+    cells += own;
   }
   begins_.assign(cells + 1, 0);
 }
 
-std::uint32_t MovingSpheres::cell_of(const Vec3& center) const {
+void MovingSpheres::sort_by_cells() {
+  cells_.resize(states_.size());
+  for (Slot slot = 0; slot < states_.size(); ++slot) {
+    cells_[slot] = cell_of(layers_[layer_numbers_[slot]], states_[slot].position);
+    ++begins_[cells_[slot]];
+  }
+  std::uint32_t begin = 0;
+  for (std::uint32_t& cell : begins_) begin = std::exchange(cell, begin) + begin;
+  slots_.resize(states_.size());
+  for (Slot slot = 0; slot < states_.size(); ++slot) slots_[begins_[cells_[slot]]++] = slot;
+  // Each begins where the one before has ended.
+  std::shift_right(begins_.begin(), begins_.end(), 1);
+  begins_.front() = 0;
+}
+
+void MovingSpheres::copy_sorted(const World& world) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    positions_[axis].resize(slots_.size());
+    velocities_[axis].resize(slots_.size());
+  }
+  radii_.resize(slots_.size());
+  const double inverse_length = 1 / length_unit_;
+  std::size_t at = 0;
+  for (const Layer& layer : layers_) {
+    const double inverse_speed = inverse_of(layer.speed);
+    for (const std::size_t end = at + layer.size; at < end; ++at) {
+      const State& state = states_[slots_[at]];
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        positions_[axis][at] = static_cast<float>(state.position[axis] * inverse_length);
+        velocities_[axis][at] = static_cast<float>(state.velocity[axis] * inverse_speed);
+      }
+      radii_[at] = static_cast<float>(world.base_radius(slots_[at]) * inverse_length);
+    }
+  }
+}
+
+std::uint32_t MovingSpheres::cell_of(const Layer& layer, const Vec3& center) {
   std::uint32_t cell = 0;
   for (std::size_t number = 0; number < kAxes; ++number) {
-    const Axis& axis = axes_[number];
+    const Axis& axis = layer.axes[number];
     const double index = axis.edge > 0 ? (center[number] - axis.low) / axis.edge : 0;
     const auto last = static_cast<double>(axis.count - 1);
     cell = cell * static_cast<std::uint32_t>(axis.count) +
-           static_cast<std::uint32_t>(std::clamp(std::floor(index), 0.0, last));
+           static_cast<std::uint32_t>(std::clamp(index, 0.0, last));
   }
-  return cell;
+  return layer.first_cell + cell;
 }
 
-MovingSpheres::Span MovingSpheres::span_within(std::size_t number, double low, double high) const {
-  const Axis& axis = axes_[number];
+MovingSpheres::Span MovingSpheres::span_within(const Axis& axis, double low, double high) {
   if (!(axis.edge > 0)) return {0, 0};
   // Far beyond what any body can reach within half a box.
   constexpr double kMost = 1 << 28;
-  const auto index_of = [&axis](double coordinate, double sign) {
-    const double index = (coordinate - axis.low) / axis.edge;
-    return std::floor(index + sign * kRounding * (std::fabs(index) + 1));
-  };
-  const double first = index_of(low, -1);
-  const double last = index_of(high, 1);
   const double most = axis.period > 0 ? kMost : axis.count - 1;
   const double least = axis.period > 0 ? -kMost : 0;
-  return {static_cast<std::int32_t>(std::clamp(first, least, most)),
-          static_cast<std::int32_t>(std::clamp(last, least, most))};
+  const auto index_of = [&](double coordinate, double sign) {
+    const double index = (coordinate - axis.low) / axis.edge;
+    return floor_of(std::clamp(index + sign * kRounding * (std::fabs(index) + 1), least, most));
+  };
+  return {index_of(low, -1), index_of(high, 1)};
 }
 
 void MovingSpheres::for_each_near(const State& from, double radius, double begin, double end,
                                   const Function<void(Slot)>& visit) const {
-  // Where the body itself comes along, from where spheres are at most so far away.
-  Vec3 low = from.position;
-  Vec3 high = from.position;
+  Sweep sweep{from.position, from.position};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double velocity = from.velocity[axis];
     if (velocity == 0) continue;
     const double first = from.position[axis] + velocity * begin;
     const double last = from.position[axis] + velocity * end;
-    low[axis] = std::min(first, last);
-    high[axis] = std::max(first, last);
+    sweep.low[axis] = std::min(first, last);
+    sweep.high[axis] = std::max(first, last);
   }
-  const double moved = usual_speed_ > 0 ? usual_speed_ * end : 0;
-  const double reach = (radius + largest_usual_radius_ + moved) * (1 + kRounding);
+  std::size_t at = 0;
+  for (const Layer& layer : layers_) {
+    const std::size_t behind = at + layer.size;
+    // Later than that, too many images of each sphere may be in reach.
+    const bool are_few_near = std::ranges::all_of(
+        extent_, [&](const Axis& axis) { return axis.period == 0 || layer.speed * end <= axis.period; });
+    if (are_few_near && layer.size > 0) {
+      look_in(layer, from, sweep, radius, end, visit);
+    } else {
+      for (; at < behind; ++at) visit(slots_[at]);
+    }
+    at = behind;
+  }
+}
+
+void MovingSpheres::look_in(const Layer& layer, const State& from, const Sweep& sweep, double radius,
+                            double end, const Function<void(Slot)>& visit) const {
+  const auto& [low, high] = sweep;
+  // From where spheres come in time.
+  const double moved = layer.speed > 0 ? layer.speed * end : 0;
+  const double reach = (radius + layer.radius + moved) * (1 + kRounding);
   const double own_speed = length(from.velocity);
-  const double speed_unit = usual_speed_ > 0 ? usual_speed_ : own_speed;
-  const double speed = own_speed + usual_speed_;
+  const double speed_unit = layer.speed > 0 ? layer.speed : own_speed;
+  const double speed = own_speed + layer.speed;
   double size = length_unit_ + reach + (speed > 0 ? speed * end : 0);
   for (std::size_t axis = 0; axis < kAxes; ++axis)
     size = std::max({size, std::fabs(low[axis]) + reach, std::fabs(high[axis]) + reach});
@@ -174,15 +240,15 @@ void MovingSpheres::for_each_near(const State& from, double radius, double begin
   for (std::size_t axis = 0; axis < kAxes; ++axis)
     body.velocity[axis] = speed_unit > 0 ? static_cast<float>(from.velocity[axis] / speed_unit) : 0;
 
-  const Axis& depth = axes_[2];
-  const Span columns = span_within(0, low.x - reach, high.x + reach);
-  const Span rows = span_within(1, low.y - reach, high.y + reach);
+  const auto& [axis_x, axis_y, depth] = layer.axes;
+  const Span columns = span_within(axis_x, low.x - reach, high.x + reach);
+  const Span rows = span_within(axis_y, low.y - reach, high.y + reach);
   const auto boxes_of = [](const Axis& axis, std::int32_t index) {
     if (axis.period == 0) return 0;
     return index >= 0 ? index / axis.count : -((axis.count - 1 - index) / axis.count);
   };
   const auto gap_along = [&](std::size_t number, std::int32_t index) {
-    const Axis& axis = axes_[number];
+    const Axis& axis = layer.axes[number];
     // The outermost cells may hold what rounding has put there.
     const double margin = kRounding * (axis.edge + length_unit_);
     const double face = axis.low + index * axis.edge;
@@ -190,20 +256,21 @@ void MovingSpheres::for_each_near(const State& from, double radius, double begin
   };
   for (std::int32_t x = columns.first; x <= columns.last; ++x) {
     const double across = gap_along(0, x);
-    const std::int32_t boxes_x = boxes_of(axes_[0], x);
-    body.position[0] = static_cast<float>((from.position.x - boxes_x * axes_[0].period) / length_unit_);
+    const std::int32_t boxes_x = boxes_of(axis_x, x);
+    body.position[0] = static_cast<float>((from.position.x - boxes_x * axis_x.period) / length_unit_);
     for (std::int32_t y = rows.first; y <= rows.last; ++y) {
       const double along = gap_along(1, y);
       const double left = reach * reach - across * across - along * along;
       if (left < 0) continue;
-      const std::int32_t boxes_y = boxes_of(axes_[1], y);
-      body.position[1] = static_cast<float>((from.position.y - boxes_y * axes_[1].period) / length_unit_);
+      const std::int32_t boxes_y = boxes_of(axis_y, y);
+      body.position[1] = static_cast<float>((from.position.y - boxes_y * axis_y.period) / length_unit_);
       // Not a number where squares overflow.
       const double half = left >= 0 ? std::sqrt(left) : reach;
-      const Span cells = span_within(2, low.z - half, high.z + half);
-      const auto row = static_cast<std::size_t>((x - boxes_x * axes_[0].count) * axes_[1].count +
-                                                (y - boxes_y * axes_[1].count)) *
-                       static_cast<std::size_t>(depth.count);
+      const Span cells = span_within(depth, low.z - half, high.z + half);
+      const auto row =
+          layer.first_cell + static_cast<std::size_t>((x - boxes_x * axis_x.count) * axis_y.count +
+                                                      (y - boxes_y * axis_y.count)) *
+                                 static_cast<std::size_t>(depth.count);
       for (std::int32_t z = cells.first; z <= cells.last;) {
         const std::int32_t boxes_z = boxes_of(depth, z);
         const std::int32_t first = z - boxes_z * depth.count;
@@ -258,14 +325,18 @@ void MovingSpheres::look_at(const Body& body, std::size_t begin, std::size_t end
 
 const MovingSpheres* LazyMovingSpheres::at(const World& world, const Time& now) const {
   const std::lock_guard lock(mutex_);
-  if (!is_asked_ || !(moment_ == now)) {
-    spheres_.reset();
+  if (asked_ == 0 || !(moment_ == now)) {
     moment_ = now;
-    is_asked_ = true;
-    return nullptr;
+    asked_ = 0;
+    is_sorted_ = false;
   }
-  if (!spheres_) spheres_.emplace(world, now);
-  return &*spheres_;
+  const bool is_asked_again = ++asked_ > 1;
+  const bool is_likely_to_be = is_asked_again || was_asked_again_;
+  was_asked_again_ = is_asked_again;
+  if (!is_likely_to_be) return nullptr;
+  if (!is_sorted_) spheres_.sort(world, now);
+  is_sorted_ = true;
+  return &spheres_;
 }
 
 }  // namespace hardball

@@ -10,6 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/memory/prefetch.hpp"
 #include "hardball/queries/cell_walk.hpp"
 #include "hardball/queries/image_search.hpp"
 #include "hardball/queries/sphere_search.hpp"
@@ -101,8 +102,6 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
     if (slot != self) fastest = std::max(fastest, length(velocity));
   }
   const auto look_near = [&](const Interval& interval) {
-    looked_at = interval;
-    for (const Slot slot : moving->unusual()) look_at(slot);
     const Function<void(Slot)> visit = look_at;
     // A first contact is likely to be near: shorter intervals come first.
     const double speed = own_speed + moving->usual_speed();
@@ -110,17 +109,17 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
     double begin = interval.begin;
     do {
       const bool are_all_near = begin * speed > moving->extent();
-      const double next = are_all_near ? kInfinity : begin + std::max(shortest, begin);
-      looked_at = {begin, std::min({interval.end, end, next})};
+      const double limit = std::min(interval.end, end);
+      const double next = begin + std::max(shortest, begin);
+      // A short rest is not worth looking from anew.
+      looked_at = {begin, are_all_near || 1.5 * next > limit ? limit : next};
       moving->for_each_near(from, radius, looked_at.begin, looked_at.end, visit);
       begin = looked_at.end;
     } while (begin < std::min(interval.end, end));
   };
   const auto stride_to_spheres = [longest = half / fastest](double) { return longest; };
   search_in_intervals(stride_to_spheres, end, [&](const Interval& interval) {
-    // Later than that, too many images of each sphere may be in reach.
-    const bool are_few_near = moving && moving->usual_speed() * interval.end <= 2 * half;
-    are_few_near ? look_near(interval) : look_at_all(interval);
+    moving ? look_near(interval) : look_at_all(interval);
   });
   if (!(first.time < kNever) || first.time.high > until.high) return std::nullopt;
   return NextContact{first.time.value(), first.kind, id, first.body};
@@ -367,6 +366,7 @@ void search_along(const SphereSearch& search, const Time& now, const Path& path,
     double walked = 0;
     if (cells) {
       const BroadPhase::VisitSlots look_at_all = [&](std::span<const Slot> slots) {
+        for (const Slot slot : slots) prefetch(&its.path(slot));
         for (const Slot slot : slots) look_at(slot);
       };
       // Then a scan of the rest costs less than what the walk has cost already.

@@ -42,6 +42,9 @@ Values number(NumberRange range, std::string_view dimension = {}) {
 Values numbers(NumberRange range, std::string_view dimension = {}) {
   return {ValueType::numbers, range, dimension};
 }
+Values named_numbers(NumberRange range, std::string_view dimension = {}) {
+  return {ValueType::named_numbers, range, dimension};
+}
 Values integer(std::uint64_t least, std::uint64_t most) {
   return {.type = ValueType::integer, .least = least, .most = most};
 }
@@ -125,6 +128,8 @@ KeyDescription key_of(const Field<Get>& field) {
     values = integer(field.least, field.most);
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
     values = numbers(field.range, field.dimension);
+  } else if constexpr (std::is_same_v<Value, NamedNumbers>) {
+    values = named_numbers(field.range, field.dimension);
   } else if constexpr (ListOfChoices<Value>) {
     values = some({field.choices.begin(), field.choices.end()});
   } else if constexpr (!std::is_floating_point_v<Value>) {
@@ -608,6 +613,8 @@ std::string type_of(const KeyDescription& key) {
       return range_of(key, "number");
     case numbers:
       return "list of " + range_of(key, "numbers");
+    case named_numbers:
+      return "table of names with a " + range_of(key, "number") + " each";
     case integer:
       return "integer from " + to_text(key.least) + " to " + to_text(key.most);
     case truth:

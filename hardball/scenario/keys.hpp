@@ -15,7 +15,8 @@ namespace hardball {
 /// What a value is.
 enum class ValueType {
   number,
-  numbers,  ///< A list.
+  numbers,        ///< A list.
+  named_numbers,  ///< A table of numbers, whose keys are names.
   integer,
   truth,    ///< true or false.
   text,     ///< A string that is not empty.

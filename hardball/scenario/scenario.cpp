@@ -244,6 +244,11 @@ Scenario read_scenario(const Document& document) {
   scenario.measures.is_energy_random =
       !scenario.start_file && std::ranges::any_of(scenario.spheres, is_random);
   leave_out_measures(root, scenario);
+  if (!scenario.run.until_error.empty() && scenario.measures.names.empty()) {
+    throw Error("run.until_error is given, and nothing is measured",
+                root.section("run")->find("until_error")->location(),
+                "name measures in [measures], or remove it");
+  }
   fit_box(scenario);
   return scenario;
 }

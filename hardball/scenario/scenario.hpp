@@ -137,13 +137,20 @@ struct BondsDescription {
 
 /// The run: the table [run] of a scenario.
 struct RunDescription {
-  std::optional<double> until;  ///< When it ends [T].
+  std::optional<double> until;  ///< When it ends at the latest [T].
+  /// The run ends sooner when the errors of all quantities with these names are below these numbers, each in
+  /// the unit of its quantity.
+  NamedNumbers until_error;
   std::uint64_t seed = 1;
 
   static constexpr auto fields() {
     return std::tuple{
         option("until", &RunDescription::until, NumberRange::not_negative, "T",
                "when the run ends; `--until` takes precedence", "10.0"),
+        option("until_error", &RunDescription::until_error, NumberRange::positive, {},
+               "the run ends before `until` when the standard errors of these quantities are below these "
+               "numbers, each in the unit of its quantity",
+               "{ compressibility = 0.02 }"),
         option("seed", &RunDescription::seed,
                "the seed of the random numbers for radii, placement, velocities and the thermostat; "
                "`--seed` takes precedence",

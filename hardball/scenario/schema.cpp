@@ -59,6 +59,8 @@ Json schema_of_value(const KeyDescription& key) {
       return schema_of_number(key.range);
     case ValueType::numbers:
       return list_of(schema_of_number(key.range));
+    case ValueType::named_numbers:
+      return {{"type", "object"}, {"additionalProperties", schema_of_number(key.range)}};
     case ValueType::integer:
       // 1e5 is an integer, too.
       return {{"type", "number"}, {"multipleOf", 1}, {"minimum", key.least}, {"maximum", key.most}};

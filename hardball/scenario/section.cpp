@@ -124,6 +124,15 @@ std::vector<double> Value::numbers() const {
   return numbers;
 }
 
+NamedNumbers Value::named_numbers() const {
+  const auto* const table = std::get_if<Node::Table>(&node_->value);
+  if (!table) wrong_kind("give names with a number each, such as " + std::string(key_->example));
+  NamedNumbers numbers;
+  for (const Entry& entry : *table)
+    numbers.emplace_back(entry.key, Value(*document_, entry.node, *key_).number());
+  return numbers;
+}
+
 std::vector<Value> Value::texts() const {
   std::vector<Value> texts = entries("give strings in brackets");
   for (const Value& entry : texts) static_cast<void>(entry.text());

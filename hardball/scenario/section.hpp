@@ -37,6 +37,7 @@ class Value {
   /// The values of a list, or this one. Error: the list is empty, or has a text twice.
   std::vector<Value> some() const;
   std::vector<double> numbers() const;
+  NamedNumbers named_numbers() const;
   /// The values of a list, all of which have a text.
   std::vector<Value> texts() const;
   /// In two dimensions z may be left out: it is zero.
@@ -129,6 +130,8 @@ void Section::read_fields(Type& object) const {
       member = given->number();
     } else if constexpr (std::is_same_v<Member, std::vector<double>>) {
       member = given->numbers();
+    } else if constexpr (std::is_same_v<Member, NamedNumbers>) {
+      member = given->named_numbers();
     } else if constexpr (ListOfChoices<Member>) {
       member = given->some_of<typename Member::value_type>();
     } else {

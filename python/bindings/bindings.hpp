@@ -19,5 +19,6 @@ void bind_simulation(pybind11::module_& module);
 void bind_packing(pybind11::module_& module);
 void bind_frames(pybind11::module_& module);
 void bind_commands(pybind11::module_& module);
+void bind_sweep(pybind11::module_& module);
 
 }  // namespace hardball::python

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "apps/chart/chart.hpp"
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/results.hpp"
 #include "apps/report/measurement_charts.hpp"
@@ -20,6 +19,7 @@
 #include "hardball/statistics/measurement.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/charts.hpp"
 #include "python/bindings/typed.hpp"
 
 namespace py = pybind11;
@@ -40,9 +40,9 @@ std::vector<std::pair<std::string, std::string>> check(const ScenarioChoice& sce
                                                        const std::string& engine) {
   std::vector<std::pair<std::string, std::string>> rows;
   const py::gil_scoped_release release;
-  for (const auto& [name, text] :
-       cli::check_rows({.scenario = scenario, .engine = {.engine = engine}, .quiet = true}))
-    rows.emplace_back(name, text);
+  for (const cli::TableRow& row :
+       cli::check_rows({.scenario = scenario, .engine = {.engine = engine}, .output = {.quiet = true}}))
+    rows.emplace_back(row.name, row.text);
   return rows;
 }
 
@@ -79,14 +79,14 @@ py::dict tune(const ScenarioChoice& scenario, const std::string& unit_costs, con
   py::dict all;
   const auto column = [&](const char* name, const auto& get) {
     std::vector<double> values;
-    for (const cli::SweepPoint& point : tuning.sweep.points) values.push_back(get(point));
+    for (const cli::EdgePoint& point : tuning.sweep.points) values.push_back(get(point));
     all[name] = read_only(array_around(std::move(values)));
   };
-  column("cell_edge", [](const cli::SweepPoint& point) { return point.edge; });
-  column("predicted", [](const cli::SweepPoint& point) { return point.predicted_seconds; });
-  column("measured", [](const cli::SweepPoint& point) { return point.median_seconds(); });
-  column("least", [](const cli::SweepPoint& point) { return point.seconds.front(); });
-  column("most", [](const cli::SweepPoint& point) { return point.seconds.back(); });
+  column("cell_edge", [](const cli::EdgePoint& point) { return point.edge; });
+  column("predicted", [](const cli::EdgePoint& point) { return point.predicted_seconds; });
+  column("measured", [](const cli::EdgePoint& point) { return point.median_seconds(); });
+  column("least", [](const cli::EdgePoint& point) { return point.seconds.front(); });
+  column("most", [](const cli::EdgePoint& point) { return point.seconds.back(); });
   all["chosen"] = tuning.sweep.chosen().edge;
   all["paper"] = tuning.sweep.paper().edge;
   all["best"] = tuning.sweep.best().edge;
@@ -94,9 +94,11 @@ py::dict tune(const ScenarioChoice& scenario, const std::string& unit_costs, con
   return all;
 }
 
-py::list charts(const Measurement& measurement) {
+}  // namespace
+
+py::list list_of(const std::vector<chart::Chart>& charts) {
   py::list all;
-  for (const chart::Chart& chart : report::charts_of(measurement)) {
+  for (const chart::Chart& chart : charts) {
     py::list series;
     for (const chart::Series& each : chart.series) {
       py::dict one;
@@ -122,8 +124,6 @@ py::list charts(const Measurement& measurement) {
   }
   return all;
 }
-
-}  // namespace
 
 void bind_commands(py::module_& module) {
   // Ctrl-C ends what takes long.
@@ -153,8 +153,9 @@ void bind_commands(py::module_& module) {
       "_describe_file", [](const std::filesystem::path& path) { return cli::describe_file(path); },
       py::arg("path"));
   module.def(
-      "_charts",
-      [](const Measurement& measurement) -> Typed<"list[dict[str, Any]]"> { return charts(measurement); },
+      "_charts", [](const Measurement& measurement) -> Typed<"list[dict[str, Any]]"> {
+        return list_of(report::charts_of(measurement));
+      },
       py::arg("measurement"));
 }
 

@@ -17,4 +17,5 @@ PYBIND11_MODULE(_hardball, module) {
   bind_packing(module);
   bind_frames(module);
   bind_commands(module);
+  bind_sweep(module);
 }

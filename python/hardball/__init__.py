@@ -51,8 +51,10 @@ from ._frames import Frame, Recording, Trajectory, read
 from ._output import Output
 from ._packing import Packing, PackingFailed, pack
 from ._plots import plot
+from ._replica_exchange import ReplicaExchange
 from ._scenario import scenarios
 from ._simulation import Simulation
+from ._sweep import Sweep, sweep
 from ._view import View
 
 __all__ = [
@@ -78,6 +80,7 @@ __all__ = [
     "Quantity",
     "RayHit",
     "Recording",
+    "ReplicaExchange",
     "Rescale",
     "ResponseTable",
     "RunFailure",
@@ -86,6 +89,7 @@ __all__ = [
     "StepPotential",
     "StepTable",
     "Surface",
+    "Sweep",
     "TabulatedRestitution",
     "Trajectory",
     "Tuning",
@@ -102,6 +106,7 @@ __all__ = [
     "plot",
     "read",
     "scenarios",
+    "sweep",
     "tune",
     "verify",
     "__version__",

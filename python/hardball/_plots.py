@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Mapping
 import numpy as np
 
 from . import _hardball
+from ._sweep import Sweep
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -17,11 +18,11 @@ _PANEL = (5.0, 3.6)  # inches
 _COLUMNS = 2
 
 
-def plot(results: Mapping[str, _hardball.Measurement] | _hardball.Measurement) -> Figure:
+def plot(results: Mapping[str, _hardball.Measurement] | _hardball.Measurement | Sweep) -> Figure:
     """Draws measured functions with their errors and theories, as reports do: a panel for each.
 
-    `results` is what Simulation.results returns, or one Measurement. Returns a matplotlib Figure. Error: there is
-    nothing to draw; ImportError: matplotlib is not installed.
+    `results` is what Simulation.results returns, one Measurement, or a Sweep, of which each quantity is drawn. Returns a
+    matplotlib Figure. Error: there is nothing to draw; ImportError: matplotlib is not installed.
     """
     try:
         from matplotlib.figure import Figure
@@ -30,10 +31,15 @@ def plot(results: Mapping[str, _hardball.Measurement] | _hardball.Measurement) -
             "plot needs matplotlib, which is not installed: install it with 'pip install matplotlib'"
         ) from error
 
-    measurements = [results] if isinstance(results, _hardball.Measurement) else list(results.values())
-    charts = [chart for measurement in measurements for chart in _hardball._charts(measurement)]
+    if isinstance(results, Sweep):
+        charts = results._charts
+        remedy = "run members that finish, with several numbers for a key"
+    else:
+        measurements = [results] if isinstance(results, _hardball.Measurement) else list(results.values())
+        charts = [chart for measurement in measurements for chart in _hardball._charts(measurement)]
+        remedy = "run the simulation while it measures"
     if not charts:
-        raise _hardball.Error("results: they have no functions to draw; run the simulation while it measures")
+        raise _hardball.Error(f"results: they have no functions to draw; {remedy}")
     columns = min(_COLUMNS, len(charts))
     rows = -(-len(charts) // columns)
     figure = Figure(figsize=(_PANEL[0] * columns, _PANEL[1] * rows), layout="constrained")

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
@@ -67,6 +68,30 @@ TEST_F(WhatCheckExpects, TellsWhatTooManySpheresToPlaceWouldTake) {
   EXPECT_GT(std::strtod(line_of(many, "  time on one core").substr(6).c_str(), nullptr), 100);
   EXPECT_NE(notes_of(many).find("too many spheres to place"), std::string::npos);
   EXPECT_EQ(notes_of(few), "");
+}
+
+TEST_F(WhatCheckExpects, SaysTheSameAsOneObject) {
+  const std::string scenario = gas("1000", "40", "wall") + "[response]\nrestitution = 0.9\n";
+  const std::string printed = output(scenario);
+  const nlohmann::json json = json_of({"check", "scenario.toml", "--json", "--quiet"});
+  const auto expect_near = [&](const nlohmann::json& number, const std::string& name) {
+    EXPECT_NEAR(number.get<double>() / number_of(printed, name), 1, 1e-3) << name;
+  };
+  EXPECT_EQ(json["spheres"], 1000);
+  EXPECT_EQ(json["box"],
+            nlohmann::json::parse(R"({"boundary": ["wall", "periodic", "wall"], "size": [40, 40, 40]})"));
+  EXPECT_EQ(json["radius"], nlohmann::json::parse(R"({"mean": 0.5, "least": 0.5, "most": 0.5})"));
+  EXPECT_EQ(json["engine"], line_of(printed, "engine"));
+  EXPECT_EQ(json["responses"][0]["what"], line_of(printed, "all contacts"));
+  expect_near(json["packing_fraction"], "packing fraction");
+  expect_near(json["mean_free_time"], "mean free time");
+  expect_near(json["expected"]["collisions"], "  collisions");
+  expect_near(json["expected"]["wall_contacts"], "  wall contacts");
+  EXPECT_NEAR(json["memory_bytes"].get<double>() / 1e6 / number_of(printed, "memory"), 1, 0.1);
+  EXPECT_GT(json["expected"]["seconds"], 0);
+  EXPECT_EQ(json["until"], 10);
+  // A run that ends so early warns of few contacts.
+  EXPECT_EQ(json_of({"check", "scenario.toml", "--json", "--until", "1e-6"})["notes"].size(), 1U);
 }
 
 TEST_F(WhatCheckExpects, KnowsTheWallsAndGroupsOfSpheresThatItDoesNotPlace) {

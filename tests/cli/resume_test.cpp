@@ -90,6 +90,44 @@ TEST_F(Resume, AWholeRunHasNothingToDo) {
   EXPECT_EQ(json::parse(read_text(folder_ / "out/summary.json")), whole);
 }
 
+TEST_F(Resume, RunStartsOrResumes) {
+  const Arguments wanted{"run", "gas.toml", "--out", "out", "--set", "run.until=300", "--resume"};
+  const json whole = run({"run", "gas.toml", "--out", "whole", "--set", "run.until=300"});
+  // A run that is killed before its first checkpoint leaves files and its lock.
+  std::filesystem::create_directory(folder_ / "out");
+  write_text(folder_ / "out/trajectory.xyz", "half a line");
+  write_text(folder_ / "out/run.lock", "");
+  Program program(folder_, wanted);
+  for (int i = 0; i < 60000 && !exists("out/checkpoint.hbc"); ++i) usleep(1000);
+  kill(program.process(), SIGKILL);
+  program.wait();
+  EXPECT_TRUE(exists("out/checkpoint.hbc"));
+  expect_same(run(wanted), whole, "out", "whole");
+  // Then there is nothing left to do.
+  EXPECT_EQ(
+      succeed(wanted).messages,
+      "hardball: out: the run is whole: it has reached its end at time 300; --until gives a later one\n");
+  EXPECT_EQ(run(wanted), json::parse(text("out/summary.json")));
+}
+
+TEST_F(Resume, RunDoesNotResumeAnotherRun) {
+  run({"run", "gas.toml", "--out", "out", "--seed", "3"});
+  const auto expect_other = [&](const Arguments& more, const std::string& what) {
+    expect_refusal(program({"run", "gas.toml", "--out", "out", "--resume"}, more),
+                   {"out: holds a run that was started with another " + what + "; name another directory"});
+  };
+  expect_other({"--seed", "4"}, "--seed");
+  expect_other({"--seed", "3", "--until", "9"}, "--until");
+  expect_other({"--seed", "3", "--set", "spheres.0.radius=0.4"}, "--set");
+  write_text(folder_ / "gas.toml", kSmallGas);
+  expect_other({"--seed", "3"}, "scenario");
+  expect_refused({"run", "gas.toml", "--resume"}, "--resume: the run has no directory");
+  expect_refused({"run", "gas.toml", "--out", "out", "--resume", "--overwrite"}, "exclude each other");
+  // Files of which no checkpoint is left are those of another run.
+  std::filesystem::remove(folder_ / "out/checkpoint.hbc");
+  expect_refused({"run", "gas.toml", "--out", "out", "--resume"}, "of another run");
+}
+
 TEST_F(Resume, RefusesWhatIsNoUnfinishedRun) {
   expect_refused({"resume", "nowhere"}, "nowhere/checkpoint.hbc: there is no checkpoint");
   run({"run", "gas.toml", "--out", "out"});

@@ -16,12 +16,14 @@
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/scenario/schema.hpp"
 #include "hardball/scenario/section.hpp"
+#include "support/key_rows.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::keys_test {
 namespace {
 
 using support::read_text;
+using support::rows_of;
 
 // Calls visit(table) for every table of a scenario, those within others included.
 template <class Visit>
@@ -30,32 +32,6 @@ void for_each_table(const TableDescription& table, const Visit& visit) {
   for (const KeyDescription& key : table.keys) {
     if (key.table) for_each_table(*key.table, visit);
   }
-}
-
-// A cell of a table in Markdown.
-std::string cell(const std::string& text) {
-  std::string cell = " ";
-  for (const char c : text) cell += c == '|' ? "\\|" : std::string(1, c);
-  return cell + " |";
-}
-
-// The row of a key in the page.
-std::string row_of(const KeyDescription& key) {
-  std::string name = "`" + std::string(key.name) + "`";
-  for (const std::string_view choice : key.only_for) {
-    name += (choice == key.only_for.front() ? " of `\"" : ", `\"") + std::string(choice) + "\"`";
-  }
-  std::string default_value = "–";
-  if (key.is_required) default_value = "required";
-  if (!key.default_value.empty()) default_value = "`" + std::string(key.default_value) + "`";
-  return "|" + cell(name) + cell(values_of(key)) + cell(default_value) + cell(std::string(key.meaning)) +
-         "\n";
-}
-
-std::string rows_of(const TableDescription& table) {
-  std::string rows = "| key | value | default | meaning |\n|---|---|---|---|\n";
-  for (const KeyDescription& key : table.keys) rows += row_of(key);
-  return rows + "\n";
 }
 
 std::string page() {
@@ -163,6 +139,9 @@ void read(const Value& value, ValueType type) {
       return;
     case ValueType::numbers:
       value.numbers();
+      return;
+    case ValueType::named_numbers:
+      value.named_numbers();
       return;
     case ValueType::integer:
       value.integer();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "apps/cli/sweep.hpp"
+#include "apps/cli/edge_sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -31,7 +31,7 @@ constexpr double kPrepared = 0.5;
 
 // The simulation of a point being measured.
 struct Contender {
-  SweepPoint point;
+  EdgePoint point;
   Simulation simulation;
   Counters before;
 };
@@ -57,7 +57,7 @@ std::optional<std::size_t> add(std::vector<Contender>& contenders, const Simulat
     if (contenders[i].point.edge == simulation->cell_edge()) return i;
   }
   const GasStatistics statistics = gas_statistics(start.world(), start.now());
-  SweepPoint point;
+  EdgePoint point;
   point.edge = simulation->cell_edge();
   point.expected = expected_counts(statistics, edge);
   constexpr double kNanosecond = 1e-9;
@@ -69,21 +69,21 @@ std::optional<std::size_t> add(std::vector<Contender>& contenders, const Simulat
 
 }  // namespace
 
-const SweepPoint& Sweep::chosen() const {
-  return *std::find_if(points.begin(), points.end(), [](const SweepPoint& point) { return point.is_chosen; });
+const EdgePoint& EdgeSweep::chosen() const {
+  return *std::find_if(points.begin(), points.end(), [](const EdgePoint& point) { return point.is_chosen; });
 }
 
-const SweepPoint& Sweep::paper() const {
-  return *std::find_if(points.begin(), points.end(), [](const SweepPoint& point) { return point.is_paper; });
+const EdgePoint& EdgeSweep::paper() const {
+  return *std::find_if(points.begin(), points.end(), [](const EdgePoint& point) { return point.is_paper; });
 }
 
-const SweepPoint& Sweep::best() const {
-  return *std::min_element(points.begin(), points.end(), [](const SweepPoint& a, const SweepPoint& b) {
+const EdgePoint& EdgeSweep::best() const {
+  return *std::min_element(points.begin(), points.end(), [](const EdgePoint& a, const EdgePoint& b) {
     return a.median_seconds() < b.median_seconds();
   });
 }
 
-Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Budget& budget) {
+EdgeSweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Budget& budget) {
   const GasStatistics statistics = gas_statistics(start.world(), start.now());
   if (!(statistics.mean_speed > 0)) throw Error("nothing moves", "tune", "give the spheres velocities");
   std::vector<Contender> contenders;
@@ -133,7 +133,7 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Bu
     }
     ++rounds;
   } while (budget.spent() < 1);
-  Sweep sweep;
+  EdgeSweep sweep;
   sweep.span = rounds * span;
   for (Contender& contender : contenders) {
     contender.point.counted = contender.simulation.counters() - contender.before;
@@ -141,7 +141,7 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Bu
     sweep.points.push_back(std::move(contender.point));
   }
   std::sort(sweep.points.begin(), sweep.points.end(),
-            [](const SweepPoint& a, const SweepPoint& b) { return a.edge < b.edge; });
+            [](const EdgePoint& a, const EdgePoint& b) { return a.edge < b.edge; });
   return sweep;
 }
 

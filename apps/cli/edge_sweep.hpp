@@ -11,7 +11,7 @@
 namespace hardball::cli {
 
 /// The cost of cells of one size, predicted and measured.
-struct SweepPoint {
+struct EdgePoint {
   double edge = 0;  ///< The mean over the axes [L].
   bool is_chosen = false;
   bool is_paper = false;
@@ -23,20 +23,20 @@ struct SweepPoint {
 };
 
 /// Measurements of one motion that is run with cells of many sizes.
-struct Sweep {
-  double span = 0;                 ///< Total simulated time of all measurements of a point [T].
-  std::vector<SweepPoint> points;  ///< In ascending order of edges.
+struct EdgeSweep {
+  double span = 0;                ///< Total simulated time of all measurements of a point [T].
+  std::vector<EdgePoint> points;  ///< In ascending order of edges.
 
-  const SweepPoint& chosen() const;
-  const SweepPoint& paper() const;
+  const EdgePoint& chosen() const;
+  const EdgePoint& paper() const;
   /// The one with the least measured cost.
-  const SweepPoint& best() const;
+  const EdgePoint& best() const;
 };
 
 /// Continues from `start` with up to twelve edges from a quarter to three times the one that the options
 /// choose, and with the paper's, all in turn and repeatedly until the budget is spent. If time is short,
 /// these are fewer, the nearest; each is measured once in any case. Error: nothing moves. Error (RunFailure):
 /// interrupted by a signal.
-Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Budget& budget);
+EdgeSweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Budget& budget);
 
 }  // namespace hardball::cli
