@@ -25,7 +25,7 @@ install(FILES ${PROJECT_BINARY_DIR}/hardballConfigVersion.cmake DESTINATION ${pa
 
 # A shared library knows what it needs.
 set(libraries "-lhardball")
-if(NOT BUILD_SHARED_LIBS)
+if(NOT BUILD_SHARED_LIBS AND NOT HARDBALL_ZSTD_SOURCE)
   string(APPEND libraries " -lzstd")
 endif()
 set(validation "")
@@ -68,4 +68,15 @@ if(TARGET hardball_program)
 endif()
 if(TARGET hardball_mpi)
   install(TARGETS hardball_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/hardball)
+endif()
+
+# The Python package, for distributions: `cmake --install BUILD --component python`.
+if(TARGET hardball_python)
+  set(HARDBALL_PYTHON_INSTALL_FOLDER lib/python3/dist-packages CACHE STRING "Where a Python looks for packages, below the prefix")
+  set(python_folder ${HARDBALL_PYTHON_INSTALL_FOLDER}/hardball)
+  file(GLOB modules CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/hardball/*.py)
+  install(TARGETS hardball_python LIBRARY DESTINATION ${python_folder} COMPONENT python EXCLUDE_FROM_ALL)
+  install(FILES ${modules} ${PROJECT_SOURCE_DIR}/python/hardball/py.typed ${HARDBALL_PYTHON_FOLDER}/hardball/_hardball.pyi
+          DESTINATION ${python_folder} COMPONENT python EXCLUDE_FROM_ALL)
+  install(FILES ${scenarios} DESTINATION ${python_folder}/scenario_files COMPONENT python EXCLUDE_FROM_ALL)
 endif()

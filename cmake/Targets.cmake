@@ -47,6 +47,13 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(hardball_cold_options $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
 endif()
 
+# hardball_contain_libraries(TARGET): a program or module that needs no library but those of C, for wheels.
+function(hardball_contain_libraries target)
+  if(HARDBALL_SELF_CONTAINED)
+    target_link_options(${target} PRIVATE -static-libstdc++ -static-libgcc -Wl,--exclude-libs,ALL -Wl,--gc-sections -s)
+  endif()
+endfunction()
+
 # hardball_add_units(TARGET SOURCE...): objects of the library.
 function(hardball_add_units target)
   add_library(${target} OBJECT ${ARGN})

@@ -169,8 +169,9 @@ void polish_if_wanted(const PackOptions& options, Packing& packing) {
 void check_polish(const PackOptions& options, const PackingPlan& plan) {
   if (!options.polish) return;
 #if !HARDBALL_POLISH
-  throw Error("this program was built without COIN-OR CLP", "--polish",
-              "install coinor-libclp-dev and build it again");
+  throw Error(
+      "this program was built without COIN-OR CLP", "--polish",
+      "install it (coinor-libclp-dev in Debian) and build Hardball from source, with HARDBALL_POLISH=ON");
 #endif
   const auto* pressure = std::get_if<PackingRequest::Pressure>(&plan.goal);
   constexpr double kLeast = 1e3;

@@ -120,20 +120,27 @@ void carry_out(Packer& packer, double limit) {
   }
 }
 
-void polish_if_wanted(Packing& packing, bool wanted) {
+// Error: packings are to be polished, and there is no library for linear programs.
+void check_polish([[maybe_unused]] bool wanted) {
+#if !HARDBALL_POLISH
   if (!wanted) return;
+  throw Error(
+      "this package was built without COIN-OR CLP", "polish",
+      "install it (coinor-libclp-dev in Debian) and build Hardball from source, with HARDBALL_POLISH=ON");
+#endif
+}
+
+void polish_if_wanted([[maybe_unused]] Packing& packing, [[maybe_unused]] bool wanted) {
 #if HARDBALL_POLISH
+  if (!wanted) return;
   const py::gil_scoped_release released;
   polish::polish(packing);
-#else
-  static_cast<void>(packing);
-  throw Error("this package was built without COIN-OR CLP", "polish",
-              "install coinor-libclp-dev and build it again");
 #endif
 }
 
 PythonPacking pack(const PackingText& text, const std::vector<double>& radii, std::size_t threads,
                    std::optional<double> limit, bool polishes) {
+  check_polish(polishes);
   PackingRequest request = parse_request(text, "");
   if (!radii.empty()) request.radii = radii;
   Packer packer(plan(request), {.threads = threads});

@@ -52,6 +52,7 @@ from ._output import Output
 from ._packing import Packing, PackingFailed, pack
 from ._plots import plot
 from ._replica_exchange import ReplicaExchange
+from ._scenario import scenarios
 from ._simulation import Simulation
 from ._sweep import Sweep, sweep
 from ._view import View
@@ -104,6 +105,7 @@ __all__ = [
     "pack",
     "plot",
     "read",
+    "scenarios",
     "sweep",
     "tune",
     "verify",

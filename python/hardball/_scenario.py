@@ -1,17 +1,24 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Scenarios as dicts."""
+"""Scenarios as dicts, and those that come with the package."""
 
 from __future__ import annotations
 
 import json
 import os
 from numbers import Integral, Real
+from pathlib import Path
 from typing import Any, Mapping
 
 import numpy as np
 
 from . import _hardball
+
+
+def scenarios() -> Path:
+    """The folder of the scenarios that come with the package, such as paper.toml, and their schema for editors,
+    scenario.schema.json."""
+    return Path(__file__).parent / "scenario_files"
 
 
 def scenario_text(scenario: Mapping[str, Any]) -> str:

@@ -7,7 +7,10 @@ import importlib.util
 import inspect
 import os
 import pickle
+import shutil
 import signal
+import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -33,6 +36,32 @@ def advanced(simulation):
     """For another process."""
     simulation.run(until=1)
     return simulation
+
+
+class Program(unittest.TestCase):
+    def run_module(self, *arguments, **options):
+        command = [sys.executable, "-B", "-m", "hardball", *arguments]
+        return subprocess.run(command, capture_output=True, text=True, **options)
+
+    def test_the_module_runs_the_program(self):
+        done = self.run_module("--version")
+        self.assertEqual((done.returncode, done.stdout), (0, program("--version")))
+        done = self.run_module("run", "lost.toml")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("lost.toml", done.stderr)
+
+    def test_without_the_program_the_module_says_where_it_is_to_be_had(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(Path(hardball.__file__).parent, Path(folder) / "hardball")
+            done = self.run_module("--version", cwd=folder, env={**os.environ, "PYTHONPATH": folder})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(f"not installed with the package in {folder}/hardball: install the package with pip", done.stderr)
+
+    def test_the_scenarios_come_with_the_package(self):
+        names = {file.name for file in hardball.scenarios().iterdir()}
+        self.assertEqual(names, {file.name for file in SCENARIOS.iterdir()})
+        self.assertIn("scenario.schema.json", names)
+        self.assertEqual(hardball.check(hardball.scenarios() / "newtons_cradle.toml")["spheres"], 6)
 
 
 class Commands(unittest.TestCase):

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
 
-# Installs the package beside this file in the system where it runs, as root, uses all that is in it, and removes it.
+# Installs the packages beside this file in the system where it runs, as root, uses all that is in them, and removes them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
@@ -63,7 +63,20 @@ g++ consumer/main.cpp $(pkg-config --cflags --libs hardball) -o consumer.pkg-con
 gcc -std=c99 game_loop.c $(pkg-config --cflags --libs hardball-c) -o game
 prints "$(cat game_loop.txt)" ./game
 
+echo "-- the Python package"
+install ./python3-hardball_*.deb
+dpkg --verify python3-hardball
+prints "$(hardball --version)" python3 -m hardball --version
+hash=$(python3 -c "
+import hardball
+gas = hardball.Simulation.from_scenario(hardball.scenarios() / 'newtons_cradle.toml')
+gas.run()
+print(gas.event_log_hash)")
+prints "$hash" hardball run "$examples/newtons_cradle.toml" --json --quiet
+test -d /usr/lib/python3/dist-packages/hardball/__pycache__
+prints "polished: True" python3 -c "import hardball; print('polished:', hardball.pack(60, phi='max', polish=True).is_polished)"
+
 echo "-- removal"
-apt-get -q -y purge hardball >apt.log
+apt-get -q -y purge python3-hardball hardball >apt.log
 left=$(find /usr /etc /var/lib -path '/var/lib/apt' -prune -o -name '*hardball*' -print)
 [[ -z $left ]] || { echo "left behind: $left" && false; }

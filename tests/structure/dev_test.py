@@ -46,7 +46,8 @@ def run(*arguments, **files):
 
 class Dev(unittest.TestCase):
     def test_says_what_it_does_and_how_long_that_takes_before_it_begins(self):
-        for command, what in (("build", "program"), ("demo", "program"), ("mpi", "program"), ("python", "Python package"), ("test", "library")):
+        for command, what in (("build", "program"), ("demo", "program"), ("mpi", "program"), ("python", "Python package"), ("wheel", "wheel"),
+                              ("test", "library")):
             first = run(command)[0]
             self.assertRegex(first, f"^dev: .*{what}.* minutes on two cores when nothing is built yet", command)
 

@@ -46,7 +46,7 @@ test('the front page has a picture, and leads to installation and tour', async (
   const examine = async (page) => {
     const width = await page.evaluate(() => document.querySelector('article img').naturalWidth);
     assert.ok(width >= 600, `${width} pixels`);
-    for (const target of ['installation.html', 'tour.html'])
+    for (const target of ['install.html', 'tour.html'])
       assert.ok((await page.locator(`article a[href="${target}"]`).count()) > 0, target);
   };
   await withDocument(join(kSite, 'index.html'), examine, { width: 1280, height: 900 });
