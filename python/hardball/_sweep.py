@@ -146,7 +146,7 @@ def _run_member(choice: _Choice, index: int, function: Callable[[Simulation], Re
     if function is None:
         return study.run(index)
     study.prepare(index)
-    folder = study.directory_of(index)
+    folder = Path(study.directory_of(index))
     try:
         text = json.dumps({str(name): _number_of(value) for name, value in function(_member(study, choice, index)).items()})
     except Exception:
@@ -196,12 +196,13 @@ def _found(study: _hardball._Study) -> Sweep:
     for number, name in enumerate(names):
         for part, ending in enumerate(("", "_error_between", "_error_within", "_error_ratio")):
             means[name + ending] = [point["quantities"][number][part] for point in points]
+    directory = Path(study.directory)
     failed = {
-        name: (study.directory / name / "failed.txt").read_text().rstrip("\n")
+        name: (directory / name / "failed.txt").read_text().rstrip("\n")
         for name, status in zip(runs["member"], runs["status"])
         if status == "failed"
     }
-    return Sweep(study.directory, _structured(means), _structured(runs), failed, found["charts"])
+    return Sweep(directory, _structured(means), _structured(runs), failed, found["charts"])
 
 
 def _columns_of_values(rows: list[dict[str, Any]]) -> dict[str, list[Any]]:
