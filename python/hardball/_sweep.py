@@ -89,12 +89,12 @@ def sweep(
         raise _hardball.Error(f"workers: it is {workers}; give a positive number, or an executor instead")
     if function is not None and not callable(function):
         raise _hardball.Error(f"function: it is {function!r}; give a function of a simulation")
-    indices = read.check(count)
+    indices, usual = read.check()
     read.begin()
     if executor is not None:
         _run_all(executor, choice, indices, function)
     else:
-        _run_in_threads(count or _hardball._usual_workers(), choice, indices, function)
+        _run_in_threads(count or usual, choice, indices, function)
     return _found(read)
 
 
