@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "apps/cli/commands.hpp"
-#include "apps/cli/directory_lock.hpp"
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/output_paths.hpp"
 #include "apps/cli/run_files.hpp"
@@ -61,9 +60,13 @@ void forget_failure(const Member& member) {
   std::filesystem::remove(member.directory / kFailed);
 }
 
-Outcome run_member(const Study& study, const Member& member) {
+std::optional<cli::DirectoryLock> lock_of(const Member& member) {
   cli::make_directory(member.directory);
-  const auto lock = cli::DirectoryLock::if_free(member.directory, kMemberLock);
+  return cli::DirectoryLock::if_free(member.directory, kMemberLock);
+}
+
+Outcome run_member(const Study& study, const Member& member) {
+  const auto lock = lock_of(member);
   if (!lock) return {Ending::busy};
   const State state = state_of(member.directory);
   if (state == State::finished) return {Ending::finished};

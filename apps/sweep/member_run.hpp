@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,6 +36,10 @@ void prepare(const Member& member);
 
 /// Has a member that has failed be run again.
 void forget_failure(const Member& member);
+
+/// Keeps other sweeps from a member while it exists; none if another one has it. Makes its directory. Error:
+/// that cannot be written to.
+std::optional<cli::DirectoryLock> lock_of(const Member& member);
 
 /// How a run of a member ended.
 enum class Ending {

@@ -257,6 +257,13 @@ std::string report_html(const Study& study, const Results& results) {
                         "Means over the runs of a point, with the standard error by their scatter (between), "
                         "that by their own errors (within), and the ratio of the two.") +
           points_table(study, results));
+  report::Table failures("facts", "");
+  for (const Row& row : results.rows) {
+    if (row.state != State::failed) continue;
+    const std::string message = read_file(row.member->directory / kFailed);
+    failures.add_row(row.member->name(), {xml_escaped(message)});
+  }
+  if (!failures.is_empty()) sections += report::section("failures", "Failures", failures.html());
   const std::string its_facts = facts.html();
   const std::string its_name = std::filesystem::path(study.name).stem().string();
   const std::string program = cli::version_text();
@@ -336,7 +343,7 @@ std::vector<chart::Chart> charts_of(const Study& study, const Results& results) 
   for (std::size_t q = 0; q < results.quantities.size(); ++q) {
     chart::Chart chart{.title = results.quantities[q],
                        .x = {.label = key, .logarithmic = study.logarithmic.contains(key)},
-                       .y = {.label = "mean"}};
+                       .y = {.label = results.quantities[q]}};
     for (const Point& point : results.points) {
       const PointEstimate& estimate = point.quantities[q];
       if (!std::isfinite(estimate.mean)) continue;

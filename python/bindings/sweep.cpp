@@ -100,16 +100,25 @@ py::dict write_tables(const Study& study) {
 }  // namespace
 
 void bind_sweep(py::module_& module) {
+  py::class_<cli::DirectoryLock>(module, "_DirectoryLock");
   py::class_<Study>(module, "_Study")
       .def(py::init(&study_of), py::arg("path"), py::arg("text"), py::arg("scenario"), py::arg("directory"))
       .def_readonly("directory", &Study::directory)
-      .def_property_readonly("count", [](const Study& study) { return study.members.size(); })
       .def("check", &check)
       .def("begin", &sweep::begin)
       .def("forget_failures",
            [](const Study& study) {
              for (const Member& member : study.members) forget_failure(member);
            })
+      .def(
+          "lock", [](const Study& study, std::size_t index) { return lock_of(study.members.at(index)); },
+          py::arg("index"))
+      .def(
+          "state",
+          [](const Study& study, std::size_t index) {
+            return std::string(name_of(sweep::state_of(study.members.at(index).directory)));
+          },
+          py::arg("index"))
       .def(
           "prepare", [](const Study& study, std::size_t index) { prepare(study.members.at(index)); },
           py::arg("index"))

@@ -145,6 +145,11 @@ def _run_member(choice: _Choice, index: int, function: Callable[[Simulation], Re
     study = _hardball._Study(*choice)
     if function is None:
         return study.run(index)
+    lock = study.lock(index)
+    if lock is None:
+        return "busy"
+    if study.state(index) in ("finished", "failed"):
+        return study.state(index)
     study.prepare(index)
     folder = Path(study.directory_of(index))
     try:

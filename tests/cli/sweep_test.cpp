@@ -232,6 +232,7 @@ TEST_F(Sweep, AMemberThatFailsDoesNotStopOthers) {
   expect_in(outcome.messages, "member 0002 has failed: study/0002: holds trajectory.xyz of another run");
   expect_in(text("study/0002/failed.txt"), "holds trajectory.xyz");
   expect_in(text("study/runs.csv"), ",failed,");
+  expect_in(text("study/report.html"), "holds trajectory.xyz");
   EXPECT_TRUE(exists("study/0003/summary.json"));
   // It is run again only if that is wanted.
   std::filesystem::remove(folder_ / "study/0002/trajectory.xyz");
