@@ -70,7 +70,7 @@ Json json_of(const Task& task) {
           {"values", values},
           {"replica", task.member->replica},
           {"seed", task.member->seed},
-          {"status", name_of(sweep::state_of(task.member->directory))},
+          {"status", name_of(sweep::state_of(*task.member))},
           {"seconds", task.seconds},
           {"memory_bytes", task.bytes}};
 }
@@ -104,7 +104,7 @@ struct Counts {
 Counts counts_of(const std::vector<const Member*>& members) {
   Counts counts{.members = members.size()};
   for (const Member* member : members) {
-    const State state = sweep::state_of(member->directory);
+    const State state = sweep::state_of(*member);
     counts.finished += state == State::finished ? 1U : 0U;
     counts.failed += state == State::failed ? 1U : 0U;
   }

@@ -22,10 +22,10 @@ constexpr const char* kMemberLock = "member.lock";
 constexpr const char* kValues = "values.json";
 
 // Whether a summary is that of a run which reached its end: interrupted ones write summaries, too.
-bool is_of_whole_run(const std::filesystem::path& summary) {
+bool is_of_whole_run(const std::filesystem::path& summary, double until) {
   if (!std::filesystem::exists(summary)) return false;
   const auto json = nlohmann::json::parse(read_file(summary), nullptr, false);
-  return json.is_object() && json.contains("until") && json.value("time", -1.0) == json.value("until", -2.0);
+  return json.is_object() && json.value("time", -1.0) >= until;
 }
 
 std::string values_json(const Member& member) {
@@ -43,9 +43,10 @@ Outcome failed(const Member& member, const std::string& message) {
 
 }  // namespace
 
-State state_of(const std::filesystem::path& directory) {
-  const auto has = [&](const char* name) { return std::filesystem::exists(directory / name); };
-  if (has(kResults) || is_of_whole_run(directory / cli::kSummary)) return State::finished;
+State state_of(const Member& member) {
+  const auto has = [&](const char* name) { return std::filesystem::exists(member.directory / name); };
+  if (has(kResults) || is_of_whole_run(member.directory / cli::kSummary, member.until))
+    return State::finished;
   if (has(kFailed)) return State::failed;
   return has(cli::kCheckpoint) ? State::interrupted : State::fresh;
 }
@@ -68,7 +69,7 @@ std::optional<cli::DirectoryLock> lock_of(const Member& member) {
 Outcome run_member(const Study& study, const Member& member) {
   const auto lock = lock_of(member);
   if (!lock) return {Ending::busy};
-  const State state = state_of(member.directory);
+  const State state = state_of(member);
   if (state == State::finished) return {Ending::finished};
   if (state == State::failed) return {Ending::failed, read_file(member.directory / kFailed)};
   try {

@@ -28,7 +28,7 @@ inline constexpr const char* kResults = "results.json";
 /// Why a member has failed.
 inline constexpr const char* kFailed = "failed.txt";
 
-State state_of(const std::filesystem::path& directory);
+State state_of(const Member& member);
 
 /// Makes the directory of a member, and values.json in it: its values, replica and seed, as other programs
 /// want them. Error: the directory cannot be written to.

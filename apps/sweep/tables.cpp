@@ -79,10 +79,7 @@ void read_function_results(const Json& results, Row& row, std::vector<std::strin
 }
 
 Row read_row(const Study& study, const Member& member, std::vector<std::string>& names) {
-  Row row{.member = &member,
-          .state = state_of(member.directory),
-          .setup_seconds = kNoNumber,
-          .run_seconds = kNoNumber};
+  Row row{.member = &member, .state = state_of(member), .setup_seconds = kNoNumber, .run_seconds = kNoNumber};
   if (row.state != State::finished) return row;
   const std::filesystem::path results = member.directory / kResults;
   const std::filesystem::path summary = member.directory / cli::kSummary;
@@ -266,7 +263,7 @@ std::string report_html(const Study& study, const Results& results) {
   if (!failures.is_empty()) sections += report::section("failures", "Failures", failures.html());
   const std::string its_facts = facts.html();
   const std::string its_name = std::filesystem::path(study.name).stem().string();
-  const std::string program = cli::version_text();
+  const std::string program = "hardball " + cli::version();
   return report::Page{.kind = "sweep",
                       .name = its_name,
                       .program = program,

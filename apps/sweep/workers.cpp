@@ -168,7 +168,7 @@ std::size_t usual_workers(const std::vector<Task>& tasks) {
 std::vector<const Member*> unfinished(const std::vector<const Member*>& members) {
   std::vector<const Member*> found;
   for (const Member* member : members) {
-    const State state = state_of(member->directory);
+    const State state = state_of(*member);
     if (state == State::fresh || state == State::interrupted) found.push_back(member);
   }
   return found;

@@ -116,7 +116,7 @@ void bind_sweep(py::module_& module) {
       .def(
           "state",
           [](const Study& study, std::size_t index) {
-            return std::string(name_of(sweep::state_of(study.members.at(index).directory)));
+            return std::string(name_of(sweep::state_of(study.members.at(index))));
           },
           py::arg("index"))
       .def(
