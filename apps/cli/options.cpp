@@ -166,7 +166,7 @@ void declare(Arguments arguments, SweepOptions& options) {
                 "Directory of the members and tables, instead of the study without .toml");
   arguments.add(
       "--workers", options.workers, "NUMBER",
-      "How many members run at once, each in one thread; one more than there are cores if not given");
+      "How many members run at once, each in one thread; somewhat more than there are cores if not given");
   arguments.add("--member", options.member, "NUMBER",
                 "Run only this part of the members, from 1, and write no tables; for arrays of jobs");
   arguments.add("--of", options.of, "NUMBER", "How many parts there are");

@@ -92,7 +92,6 @@ std::string Summary::json() const {
   nlohmann::ordered_json json;
   json["spheres"] = state.spheres;
   json["time"] = end_time();
-  json["until"] = *scenario.run.until;
   if (state.at_rest_since) json["at_rest_since"] = *state.at_rest_since;
   if (state.errors_reached_at) json["errors_reached_at"] = *state.errors_reached_at;
   json["events"] = {{"collision", state.counters.collision},

@@ -70,7 +70,7 @@ Json json_of(const Task& task) {
           {"values", values},
           {"replica", task.member->replica},
           {"seed", task.member->seed},
-          {"status", name_of(sweep::state_of(task.member->directory))},
+          {"status", name_of(sweep::state_of(*task.member))},
           {"seconds", task.seconds},
           {"memory_bytes", task.bytes}};
 }
@@ -104,7 +104,7 @@ struct Counts {
 Counts counts_of(const std::vector<const Member*>& members) {
   Counts counts{.members = members.size()};
   for (const Member* member : members) {
-    const State state = sweep::state_of(member->directory);
+    const State state = sweep::state_of(*member);
     counts.finished += state == State::finished ? 1U : 0U;
     counts.failed += state == State::failed ? 1U : 0U;
   }
@@ -156,8 +156,7 @@ ExitCode sweep(const SweepOptions& options) {
   catch_signals();
   refuse_several_modes(options);
   const Part part = read_part(options);
-  const std::size_t workers =
-      options.workers ? read_count(*options.workers, "--workers") : sweep::usual_workers();
+  const std::size_t wanted = options.workers ? read_count(*options.workers, "--workers") : 0;
   Study study = sweep::read_study({.path = options.study, .directory = options.out});
   const std::vector<const Member*> members = part_of(study, part.number, part.parts);
   const bool has_tables = !options.member;
@@ -170,7 +169,7 @@ ExitCode sweep(const SweepOptions& options) {
   if (options.retry && !options.dry_run) {
     for (const Member* member : members) forget_failure(*member);
   }
-  const std::vector<Task> tasks = check(study, sweep::unfinished(members), workers);
+  const std::vector<Task> tasks = check(study, sweep::unfinished(members));
   if (options.dry_run) {
     list_tasks(tasks, members.size(), options.output);
     return ExitCode::done;
@@ -181,6 +180,7 @@ ExitCode sweep(const SweepOptions& options) {
     print(study, counts_of(members), {}, false, options.output);
     return ExitCode::done;
   }
+  const std::size_t workers = wanted > 0 ? wanted : sweep::usual_workers(tasks);
   const sweep::Tally tally = run_all(study, tasks, workers, options.output.quiet);
   if (has_tables) write_tables(study, read_results(study));
   const Counts counts = counts_of(members);

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "apps/cli/commands.hpp"
-#include "apps/cli/directory_lock.hpp"
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/output_paths.hpp"
 #include "apps/cli/run_files.hpp"
@@ -23,13 +22,10 @@ constexpr const char* kMemberLock = "member.lock";
 constexpr const char* kValues = "values.json";
 
 // Whether a summary is that of a run which reached its end: interrupted ones write summaries, too.
-bool is_of_whole_run(const std::filesystem::path& summary) {
+bool is_of_whole_run(const std::filesystem::path& summary, double until) {
   if (!std::filesystem::exists(summary)) return false;
   const auto json = nlohmann::json::parse(read_file(summary), nullptr, false);
-  if (!json.is_object()) return false;
-  const bool has_reached_end =
-      json.contains("until") && json.value("time", -1.0) == json.value("until", -2.0);
-  return has_reached_end || json.contains("errors_reached_at");
+  return json.is_object() && (json.value("time", -1.0) >= until || json.contains("errors_reached_at"));
 }
 
 std::string values_json(const Member& member) {
@@ -47,9 +43,10 @@ Outcome failed(const Member& member, const std::string& message) {
 
 }  // namespace
 
-State state_of(const std::filesystem::path& directory) {
-  const auto has = [&](const char* name) { return std::filesystem::exists(directory / name); };
-  if (has(kResults) || is_of_whole_run(directory / cli::kSummary)) return State::finished;
+State state_of(const Member& member) {
+  const auto has = [&](const char* name) { return std::filesystem::exists(member.directory / name); };
+  if (has(kResults) || is_of_whole_run(member.directory / cli::kSummary, member.until))
+    return State::finished;
   if (has(kFailed)) return State::failed;
   return has(cli::kCheckpoint) ? State::interrupted : State::fresh;
 }
@@ -64,11 +61,15 @@ void forget_failure(const Member& member) {
   std::filesystem::remove(member.directory / kFailed);
 }
 
-Outcome run_member(const Study& study, const Member& member) {
+std::optional<cli::DirectoryLock> lock_of(const Member& member) {
   cli::make_directory(member.directory);
-  const auto lock = cli::DirectoryLock::if_free(member.directory, kMemberLock);
+  return cli::DirectoryLock::if_free(member.directory, kMemberLock);
+}
+
+Outcome run_member(const Study& study, const Member& member) {
+  const auto lock = lock_of(member);
   if (!lock) return {Ending::busy};
-  const State state = state_of(member.directory);
+  const State state = state_of(member);
   if (state == State::finished) return {Ending::finished};
   if (state == State::failed) return {Ending::failed, read_file(member.directory / kFailed)};
   try {

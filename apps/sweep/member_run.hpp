@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -27,7 +28,7 @@ inline constexpr const char* kResults = "results.json";
 /// Why a member has failed.
 inline constexpr const char* kFailed = "failed.txt";
 
-State state_of(const std::filesystem::path& directory);
+State state_of(const Member& member);
 
 /// Makes the directory of a member, and values.json in it: its values, replica and seed, as other programs
 /// want them. Error: the directory cannot be written to.
@@ -35,6 +36,10 @@ void prepare(const Member& member);
 
 /// Has a member that has failed be run again.
 void forget_failure(const Member& member);
+
+/// Keeps other sweeps from a member while it exists; none if another one has it. Makes its directory. Error:
+/// that cannot be written to.
+std::optional<cli::DirectoryLock> lock_of(const Member& member);
 
 /// How a run of a member ended.
 enum class Ending {

@@ -16,6 +16,7 @@
 #include <thread>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 #include "apps/cli/output_paths.hpp"
 #include "hardball/error.hpp"
@@ -23,6 +24,7 @@
 #include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
 #include "hardball/measure/event_log_hash.hpp"
+#include "hardball/numbers/no_number.hpp"
 #include "hardball/random.hpp"
 #include "hardball/scenario/document.hpp"
 #include "hardball/scenario/section.hpp"
@@ -319,6 +321,39 @@ std::string members_json(const Study& study) {
   return text + "\n]\n}\n";
 }
 
+// When the run of a member ends [T]; NaN where the scenario is refused, which its check explains.
+double until_of(const Study& study, const Member& member, const std::string& scenario) {
+  try {
+    Document document(study.scenario.path, scenario);
+    for (const std::string& each : study.run_of(member).scenario.overrides) document.apply_override(each);
+    const Node* node = &document.root();
+    for (const char* key : {"run", "until"}) {
+      const auto& table = std::get<Node::Table>(node->value);
+      const auto found = std::ranges::find(table, key, &Entry::key);
+      if (found == table.end()) return kNoNumber;
+      node = &found->node;
+    }
+    const auto* const integer = std::get_if<std::int64_t>(&node->value);
+    return integer ? static_cast<double>(*integer) : std::get<double>(node->value);
+  } catch (const Error&) {
+    return kNoNumber;
+  } catch (const std::bad_variant_access&) {
+    return kNoNumber;
+  }
+}
+
+// Sets the ends of all runs.
+void read_ends(Study& study) {
+  const std::string scenario = study.scenario.text ? *study.scenario.text : read_file(study.scenario.path);
+  const bool are_alike = std::ranges::find(study.keys, "run.until") == study.keys.end();
+  std::optional<double> until;
+  for (Member& member : study.members) {
+    const bool is_new_point = !are_alike && member.replica == 1;
+    if (!until || is_new_point) until = until_of(study, member, scenario);
+    member.until = *until;
+  }
+}
+
 void read_scenario_of(const Section& root, const StudyChoice& choice, Study& study) {
   if (choice.scenario) {
     study.scenario = {.path = "scenario", .overrides = {}, .text = choice.scenario};
@@ -457,6 +492,7 @@ Study read_study(const StudyChoice& choice) {
     }
     ++point;
   }
+  read_ends(study);
   number_members(study);
   return study;
 }

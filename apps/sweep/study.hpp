@@ -33,6 +33,7 @@ struct Member {
   std::vector<Setting> values;
   std::size_t replica = 1;  ///< From 1.
   std::uint64_t seed = 0;   ///< Below 2^48.
+  double until = 0;         ///< When its run ends [T]; NaN if its scenario does not say so, or is refused.
 
   /// The name of its directory.
   std::string name() const { return directory.filename().string(); }

@@ -79,10 +79,7 @@ void read_function_results(const Json& results, Row& row, std::vector<std::strin
 }
 
 Row read_row(const Study& study, const Member& member, std::vector<std::string>& names) {
-  Row row{.member = &member,
-          .state = state_of(member.directory),
-          .setup_seconds = kNoNumber,
-          .run_seconds = kNoNumber};
+  Row row{.member = &member, .state = state_of(member), .setup_seconds = kNoNumber, .run_seconds = kNoNumber};
   if (row.state != State::finished) return row;
   const std::filesystem::path results = member.directory / kResults;
   const std::filesystem::path summary = member.directory / cli::kSummary;
@@ -257,9 +254,16 @@ std::string report_html(const Study& study, const Results& results) {
                         "Means over the runs of a point, with the standard error by their scatter (between), "
                         "that by their own errors (within), and the ratio of the two.") +
           points_table(study, results));
+  report::Table failures("facts", "");
+  for (const Row& row : results.rows) {
+    if (row.state != State::failed) continue;
+    const std::string message = read_file(row.member->directory / kFailed);
+    failures.add_row(row.member->name(), {xml_escaped(message)});
+  }
+  if (!failures.is_empty()) sections += report::section("failures", "Failures", failures.html());
   const std::string its_facts = facts.html();
   const std::string its_name = std::filesystem::path(study.name).stem().string();
-  const std::string program = cli::version_text();
+  const std::string program = "hardball " + cli::version();
   return report::Page{.kind = "sweep",
                       .name = its_name,
                       .program = program,
@@ -336,7 +340,7 @@ std::vector<chart::Chart> charts_of(const Study& study, const Results& results) 
   for (std::size_t q = 0; q < results.quantities.size(); ++q) {
     chart::Chart chart{.title = results.quantities[q],
                        .x = {.label = key, .logarithmic = study.logarithmic.contains(key)},
-                       .y = {.label = "mean"}};
+                       .y = {.label = results.quantities[q]}};
     for (const Point& point : results.points) {
       const PointEstimate& estimate = point.quantities[q];
       if (!std::isfinite(estimate.mean)) continue;

@@ -157,26 +157,31 @@ struct Ended {
 
 }  // namespace
 
-std::size_t usual_workers() {
-  return allowed_processors() + 1;
+std::size_t usual_workers(const std::vector<Task>& tasks) {
+  constexpr double kShort = 1;
+  double seconds = 0;
+  for (const Task& task : tasks) seconds += task.seconds;
+  const std::size_t cores = allowed_processors();
+  return seconds < kShort * static_cast<double>(tasks.size()) ? 2 * cores : cores + 1;
 }
 
 std::vector<const Member*> unfinished(const std::vector<const Member*>& members) {
   std::vector<const Member*> found;
   for (const Member* member : members) {
-    const State state = state_of(member->directory);
+    const State state = state_of(*member);
     if (state == State::fresh || state == State::interrupted) found.push_back(member);
   }
   return found;
 }
 
-std::vector<Task> check(const Study& study, const std::vector<const Member*>& members, std::size_t workers) {
+std::vector<Task> check(const Study& study, const std::vector<const Member*>& members) {
   std::vector<const Member*> first;  // of each point
   for (const Member* member : members) {
     if (first.empty() || first.back()->point != member->point) first.push_back(member);
   }
   std::vector<Cost> costs(first.size());
-  for_each_in_threads(first.size(), workers, [&](std::size_t i) { costs[i] = cost_of(study, *first[i]); });
+  for_each_in_threads(first.size(), allowed_processors(),
+                      [&](std::size_t i) { costs[i] = cost_of(study, *first[i]); });
   std::vector<Task> tasks;
   std::size_t at = 0;
   for (const Member* member : members) {

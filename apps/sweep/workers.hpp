@@ -18,17 +18,17 @@ struct Task {
   double bytes = 0;
 };
 
-/// As many workers as there are cores, and one more, so that all cores compute while a member waits for the
-/// disk.
-std::size_t usual_workers();
+/// As many workers for tasks as there are cores, and one more, so that all cores compute while a member waits
+/// for the disk; twice as many as cores for runs of less than a second, which wait more often.
+std::size_t usual_workers(const std::vector<Task>& tasks);
 
 /// The members among these that are new or interrupted.
 std::vector<const Member*> unfinished(const std::vector<const Member*>& members);
 
-/// Checks members, one of each point, in several threads, and returns them as tasks, the longest first, in
+/// Checks members, one of each point, on all cores, and returns them as tasks, the longest first, in
 /// the order of their numbers where they are equally long. Error: that of the first point whose scenario is
 /// refused, with the member as its place. RunFailure: interrupted by a signal.
-std::vector<Task> check(const Study& study, const std::vector<const Member*>& members, std::size_t workers);
+std::vector<Task> check(const Study& study, const std::vector<const Member*>& members);
 
 /// The progress of tasks.
 struct Progress {

@@ -38,13 +38,14 @@ py::dict dict_of(const std::vector<sweep::Setting>& values) {
   return dict;
 }
 
-std::vector<std::size_t> check(const Study& study, std::optional<std::size_t> workers) {
+// The indices of the members to be run, in their order, and how many threads should run them.
+std::pair<std::vector<std::size_t>, std::size_t> check(const Study& study) {
   const py::gil_scoped_release release;
   std::vector<std::size_t> indices;
-  for (const sweep::Task& task :
-       sweep::check(study, sweep::unfinished(part_of(study, 1, 1)), workers.value_or(sweep::usual_workers())))
+  const std::vector<sweep::Task> tasks = sweep::check(study, sweep::unfinished(part_of(study, 1, 1)));
+  for (const sweep::Task& task : tasks)
     indices.push_back(static_cast<std::size_t>(task.member - study.members.data()));
-  return indices;
+  return {std::move(indices), sweep::usual_workers(tasks)};
 }
 
 // The members with their states, values and quantities.
@@ -99,16 +100,25 @@ py::dict write_tables(const Study& study) {
 }  // namespace
 
 void bind_sweep(py::module_& module) {
+  py::class_<cli::DirectoryLock>(module, "_DirectoryLock");
   py::class_<Study>(module, "_Study")
       .def(py::init(&study_of), py::arg("path"), py::arg("text"), py::arg("scenario"), py::arg("directory"))
       .def_readonly("directory", &Study::directory)
-      .def_property_readonly("count", [](const Study& study) { return study.members.size(); })
-      .def("check", &check, py::arg("workers"))
+      .def("check", &check)
       .def("begin", &sweep::begin)
       .def("forget_failures",
            [](const Study& study) {
              for (const Member& member : study.members) forget_failure(member);
            })
+      .def(
+          "lock", [](const Study& study, std::size_t index) { return lock_of(study.members.at(index)); },
+          py::arg("index"))
+      .def(
+          "state",
+          [](const Study& study, std::size_t index) {
+            return std::string(name_of(sweep::state_of(study.members.at(index))));
+          },
+          py::arg("index"))
       .def(
           "prepare", [](const Study& study, std::size_t index) { prepare(study.members.at(index)); },
           py::arg("index"))
@@ -136,7 +146,6 @@ void bind_sweep(py::module_& module) {
           py::arg("index"))
       .def(
           "write_tables", [](const Study& study) -> Typed<"dict[str, Any]"> { return write_tables(study); });
-  module.def("_usual_workers", &sweep::usual_workers);
   module.def("_request_interruption", &cli::request_interruption, py::arg("is_wanted"));
 }
 

@@ -89,12 +89,12 @@ def sweep(
         raise _hardball.Error(f"workers: it is {workers}; give a positive number, or an executor instead")
     if function is not None and not callable(function):
         raise _hardball.Error(f"function: it is {function!r}; give a function of a simulation")
-    indices = read.check(count)
+    indices, usual = read.check()
     read.begin()
     if executor is not None:
         _run_all(executor, choice, indices, function)
     else:
-        _run_in_threads(count or _hardball._usual_workers(), choice, indices, function)
+        _run_in_threads(count or usual, choice, indices, function)
     return _found(read)
 
 
@@ -145,8 +145,13 @@ def _run_member(choice: _Choice, index: int, function: Callable[[Simulation], Re
     study = _hardball._Study(*choice)
     if function is None:
         return study.run(index)
+    lock = study.lock(index)
+    if lock is None:
+        return "busy"
+    if study.state(index) in ("finished", "failed"):
+        return study.state(index)
     study.prepare(index)
-    folder = study.directory_of(index)
+    folder = Path(study.directory_of(index))
     try:
         text = json.dumps({str(name): _number_of(value) for name, value in function(_member(study, choice, index)).items()})
     except Exception:
@@ -196,12 +201,13 @@ def _found(study: _hardball._Study) -> Sweep:
     for number, name in enumerate(names):
         for part, ending in enumerate(("", "_error_between", "_error_within", "_error_ratio")):
             means[name + ending] = [point["quantities"][number][part] for point in points]
+    directory = Path(study.directory)
     failed = {
-        name: (study.directory / name / "failed.txt").read_text().rstrip("\n")
+        name: (directory / name / "failed.txt").read_text().rstrip("\n")
         for name, status in zip(runs["member"], runs["status"])
         if status == "failed"
     }
-    return Sweep(study.directory, _structured(means), _structured(runs), failed, found["charts"])
+    return Sweep(directory, _structured(means), _structured(runs), failed, found["charts"])
 
 
 def _columns_of_values(rows: list[dict[str, Any]]) -> dict[str, list[Any]]:

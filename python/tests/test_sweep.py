@@ -32,7 +32,7 @@ def pressure(simulation):
     """For another process: numbers with and without an error."""
     simulation.measure("pressure")
     simulation.run(until=5)
-    return {"z": simulation.results()["pressure"]["compressibility"], "contacts": simulation.counters.collision}
+    return {"z": simulation.results()["pressure"]["compressibility"], "contacts": simulation.collisions}
 
 
 def fails_at_large_radii(simulation):
@@ -116,7 +116,7 @@ class Sweeps(unittest.TestCase):
         self.assertEqual(run["contacts"], expected["contacts"])
         self.assertTrue(np.isnan(run["contacts_error"]))
         again = hardball.sweep(study, out="out", function=fails_at_large_radii)
-        np.testing.assert_array_equal(again.points, found.points)
+        self.assertEqual(again.points.tobytes(), found.points.tobytes())
 
     def test_members_that_fail_are_named_and_repeated_if_wanted(self):
         study = {"scenario": SCENARIO, "sweep": {"product": {"spheres.0.radius": [0.4, 0.5]}}}
@@ -130,7 +130,7 @@ class Sweeps(unittest.TestCase):
 
     def test_ctrl_c_writes_checkpoints(self):
         study = {
-            "scenario": {**SCENARIO, "run": {"until": 3000.0}},
+            "scenario": {**SCENARIO, "run": {"until": 1000.0}},
             "quantities": ["pressure.compressibility"],
             "sweep": {"replicas": 2},
         }
@@ -145,7 +145,7 @@ class Sweeps(unittest.TestCase):
         self.assertIn("KeyboardInterrupt", process.communicate(timeout=60)[1])
         summaries = [json.loads(path.read_text()) for path in Path().glob("out/*/summary.json")]
         self.assertEqual(len(summaries), 2)
-        self.assertTrue(all(0 < summary["time"] < 3000 for summary in summaries))
+        self.assertTrue(all(0 < summary["time"] < 1000 for summary in summaries))
         hardball.sweep(study, out="out")
         hardball.sweep(study, out="undisturbed")
         self.assertEqual(self.tables("out"), self.tables("undisturbed"))

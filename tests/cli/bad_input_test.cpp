@@ -519,8 +519,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RefusedCommand, IsExplainedInOneLine) {
   const ScratchFolder folder;
   expect_refusal(run_program(folder, {"rnu"}), {"'rnu'", "did you mean 'run'?"});
-  expect_refusal(run_program(folder, {"sweep"}),
-                 {"'sweep'", "choose among 'run', 'resume', 'verify', 'check', 'tune'"});
+  expect_refusal(run_program(folder, {"simulate"}),
+                 {"'simulate'", "choose among 'run', 'resume', 'verify', 'check', 'tune'"});
   expect_refusal(run_program(folder, {"run"}), {"SCENARIO", "--help"});
   expect_refusal(run_program(folder, {"--json", "run", "gas.toml"}), {"'--json'", "after the command"});
   expect_refusal(run_program(folder, {"verify", "gas.toml", "--json"}), {"'--json'"});

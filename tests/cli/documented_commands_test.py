@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
 """Runs every command line of the program that README.md, docs/*.md and the pages of the site show, page by page, each in
-a folder with the scenarios and, as gas.toml, the first scenario of the page. What a console shows must be what is
-printed, where "…" stands for any part of a line, or alone on a line for any lines. Reads the scenario parts on pages
-other than docs/scenarios.md, which another test reads.
+a folder with the scenarios, the files of the page that begin with their names, and, as gas.toml, its first scenario.
+What a console shows must be what is printed, where "…" stands for any part of a line, or alone on a line for any lines.
+Reads the scenario parts on pages other than docs/scenarios.md, which another test reads.
 
 Usage: documented_commands_test.py PROGRAM PROJECT
 """
@@ -18,12 +18,19 @@ import tempfile
 from pathlib import Path
 
 # Tested with the package in a bare system, or as projects and packages of tests; chromium makes a figure of the pages.
-OTHERS = {"apt-get", "cc", "cd", "chromium", "cmake", "g++", "git", "man", "my_game", "pip", "python3"}
+OTHERS = {"apt-get", "cc", "cd", "chromium", "cmake", "g++", "git", "man", "mpiexec", "my_game", "pip", "python3", "sbatch",
+          "snakemake"}
 PATIENCE = 300
 
 
 def blocks_of(page, language):
     return re.findall(rf"^```{language}\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE)
+
+
+def name_of(part):
+    """The name of the file that a part shows, if its first line says it."""
+    found = re.match(r"# (\w+\.toml)\n", part)
+    return found and found[1]
 
 
 def commands_of(page):
@@ -63,6 +70,9 @@ def run_page(page, program, project):
         (Path(folder) / "scenarios").symlink_to(project / "scenarios")
         for part in blocks_of(page, "toml")[:1]:
             (Path(folder) / "gas.toml").write_text(part)
+        for part in blocks_of(page, "toml"):
+            if name := name_of(part):
+                (Path(folder) / name).write_text(part)
         for words, output in commands_of(page):
             while words and re.fullmatch(r"[A-Z]+=.*", words[0]):
                 words = words[1:]
@@ -90,6 +100,8 @@ def run_page(page, program, project):
 def check_parts(page, program, project):
     """Adds each part of a scenario to a whole one that lacks it."""
     for part in blocks_of(page, "toml"):
+        if name_of(part):
+            continue
         with tempfile.TemporaryDirectory() as folder:
             scenario = Path(folder) / "whole.toml"
             scenario.write_text((project / "scenarios/dense_gas.toml").read_text() + part)
