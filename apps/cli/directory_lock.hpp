@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "hardball/platform/files.hpp"
+
 namespace hardball::cli {
 
 /// Keeps other runs out of a directory while it exists: an advisory lock on the file run.lock in it, which
@@ -12,14 +14,9 @@ class DirectoryLock {
  public:
   /// Error: another run holds the lock, or the directory cannot be written to.
   explicit DirectoryLock(const std::filesystem::path& directory);
-  /// Removes the file.
-  ~DirectoryLock();
-  DirectoryLock(DirectoryLock&& other) noexcept;
-  DirectoryLock& operator=(DirectoryLock&&) = delete;
 
  private:
-  std::filesystem::path path_;
-  int file_ = -1;
+  platform::LockFile file_;
 };
 
 }  // namespace hardball::cli
