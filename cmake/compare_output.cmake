@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
 
-# cmake -D PROGRAM=... -D EXPECTED=... -P compare_output.cmake: fails unless the program prints the expected file.
-execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE printed RESULT_VARIABLE status)
+# cmake -D PROGRAM=... [-D EMULATOR=...] -D EXPECTED=... -P compare_output.cmake: fails unless the program prints the
+# expected file. Lines may end as they do in Windows.
+execute_process(COMMAND ${EMULATOR} ${PROGRAM} OUTPUT_VARIABLE printed RESULT_VARIABLE status)
+string(REPLACE "\r\n" "\n" printed "${printed}")
 file(READ ${EXPECTED} expected)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "${PROGRAM} failed: ${status}")

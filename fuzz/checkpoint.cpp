@@ -9,7 +9,7 @@
 
 #include "fuzz/target.hpp"
 #include "hardball/io/checkpoint_file.hpp"
-#include "hardball/io/little_endian.hpp"
+#include "hardball/platform/little_endian.hpp"
 
 namespace hardball::fuzz {
 namespace {

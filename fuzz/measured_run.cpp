@@ -8,8 +8,8 @@
 
 #include "fuzz/target.hpp"
 #include "hardball/archive/archive.hpp"
-#include "hardball/io/little_endian.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/platform/little_endian.hpp"
 #include "support/gas.hpp"
 
 namespace hardball::fuzz {

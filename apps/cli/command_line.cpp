@@ -112,6 +112,8 @@ CommandLine::CommandLine(const char* program, const char* description, std::stri
   program_->set_version_flag("--version", version);
   program_->require_subcommand(0, 1);
   program_->allow_extras();  // which our own messages report
+  // On all systems what begins with a slash may be a path.
+  program_->allow_windows_style_options(false);
 }
 
 CommandLine::~CommandLine() = default;

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "hardball/platform/files.hpp"
+
 namespace hardball::cli {
 
 /// The file by which a run keeps others out of its directory. A run that is killed leaves it there.
@@ -21,16 +23,11 @@ class DirectoryLock {
   /// The lock on the file of this name in a directory; none if another holds it. Error: the directory cannot
   /// be written to.
   static std::optional<DirectoryLock> if_free(const std::filesystem::path& directory, const char* name);
-  /// Removes the file.
-  ~DirectoryLock();
-  DirectoryLock(DirectoryLock&& other) noexcept;
-  DirectoryLock& operator=(DirectoryLock&&) = delete;
 
  private:
-  DirectoryLock(std::filesystem::path path, int file) : path_(std::move(path)), file_(file) {}
+  explicit DirectoryLock(platform::LockFile file) : file_(std::move(file)) {}
 
-  std::filesystem::path path_;
-  int file_ = -1;
+  platform::LockFile file_;
 };
 
 }  // namespace hardball::cli

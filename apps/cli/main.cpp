@@ -8,7 +8,6 @@
 #include <new>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "apps/cli/command_line.hpp"
@@ -20,6 +19,7 @@
 #include "apps/cli/version.hpp"
 #include "apps/mpi/mpi_processes.hpp"
 #include "hardball/error.hpp"
+#include "hardball/platform/program.hpp"
 #include "hardball/processes.hpp"
 
 namespace hardball::cli {
@@ -111,9 +111,8 @@ ExitCode run_in_processes(int argument_count, char** arguments, MpiProcesses& pr
 // Where the plug-in for MPI may be: beside the program in a build folder, among the libraries where it is
 // installed.
 std::vector<std::filesystem::path> plugin_folders() {
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::canonical("/proc/self/exe", error);
-  if (error) return {};
+  const std::filesystem::path program = platform::program_file();
+  if (program.empty()) return {};
   return {program.parent_path(), program.parent_path() / HARDBALL_PLUGIN_FOLDER};
 }
 
@@ -134,8 +133,9 @@ ExitCode run_as_launched(int argument_count, char** arguments) {
 
 int main(int argument_count, char** arguments) {
   using namespace hardball;
-  cli::secure_streams();
+  platform::secure_streams();
   try {
+    arguments = platform::unicode_arguments(argument_count, arguments);
     return static_cast<int>(cli::run_as_launched(argument_count, arguments));
   } catch (const std::exception& error) {
     cli::write_message(error.what());

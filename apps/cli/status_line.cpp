@@ -3,14 +3,15 @@
 #include "apps/cli/status_line.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 
+#include "hardball/platform/program.hpp"
+
 namespace hardball::cli {
 
-StatusLine::StatusLine(bool wanted) : is_visible_(wanted && isatty(STDERR_FILENO) == 1) {}
+StatusLine::StatusLine(bool wanted) : is_visible_(wanted && platform::shows_messages()) {}
 
 StatusLine::~StatusLine() {
   if (width_ == 0) return;

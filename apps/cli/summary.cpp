@@ -3,7 +3,6 @@
 #include "apps/cli/summary.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +14,13 @@
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/version.hpp"
 #include "hardball/measure/wall_forces.hpp"
+#include "hardball/platform/program.hpp"
 #include "hardball/simulation.hpp"
 #include "hardball/theory.hpp"
 #include "hardball/world.hpp"
 
 namespace hardball::cli {
 namespace {
-
-long measure_peak_rss() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  constexpr long kBytesPerUnit = 1024;  // Linux counts kilobytes
-  return usage.ru_maxrss * kBytesPerUnit;
-}
 
 // Summaries of measured_walls from the tally at `now`. The world may be without spheres.
 std::vector<WallSummary> summarize_walls(const World& world, const Tally& tally, const Time& now) {
@@ -65,7 +58,7 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
                    .thermostat = simulation.thermostat(),
                    .growth = simulation.growth(),
                    .engine = simulation.engine(),
-                   .peak_rss_bytes = measure_peak_rss()};
+                   .peak_rss_bytes = platform::peak_memory()};
   const auto if_meant = [](bool is_meant, double number) { return is_meant ? number : kNoNumber; };
   const Tally& tally = state.sums.tally;
   const Audit audit = simulation.audit();

@@ -57,7 +57,7 @@ struct FinalState {
   std::optional<GrowthSchedule> growth;
   EngineKind engine = EngineKind::automatic;
   double bytes_per_sphere = 0;
-  long peak_rss_bytes = 0;
+  std::uint64_t peak_rss_bytes = 0;
 };
 
 /// Cost: that of an audit.

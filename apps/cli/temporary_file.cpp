@@ -2,31 +2,26 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/temporary_file.hpp"
 
-#include <stdlib.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <string>
 
 #include "hardball/error.hpp"
+#include "hardball/platform/files.hpp"
 
 namespace hardball::cli {
 
 TemporaryFile::TemporaryFile() {
   const std::filesystem::path directory = std::filesystem::temp_directory_path();
-  std::string name = (directory / "hardball-XXXXXX").string();
-  const int file = mkstemp(name.data());
-  if (file < 0) {
+  path_ = platform::create_temporary_file(directory);
+  if (path_.empty()) {
     throw Error(std::string("cannot create a temporary file: ") + std::strerror(errno), directory.string(),
                 "name another directory in the environment variable TMPDIR");
   }
-  close(file);
-  path_ = name;
 }
 
 TemporaryFile::~TemporaryFile() {
-  unlink(path_.c_str());
+  platform::remove_file(path_);
 }
 
 }  // namespace hardball::cli

@@ -2,27 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/terminal.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 
 #include "hardball/error.hpp"
 
 namespace hardball::cli {
-
-void secure_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The lowest number that is free; nothing can be written to it.
-    if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", O_RDONLY));
-  }
-  std::signal(SIGPIPE, SIG_IGN);
-}
 
 void write_output(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();

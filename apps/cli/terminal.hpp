@@ -8,10 +8,6 @@
 
 namespace hardball::cli {
 
-/// Sees to it that no file that is opened later takes the place of a standard stream that is closed, and that
-/// a pipe whose reader has gone is an error like any other. To be called first.
-void secure_streams();
-
 /// Writes data to the standard output, all of it. Error (RunFailure): it cannot be written.
 void write_output(std::string_view text);
 

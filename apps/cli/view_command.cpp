@@ -1,11 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include <fcntl.h>
-#include <spawn.h>
-#include <unistd.h>
-
 #include <chrono>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <thread>
@@ -18,6 +13,7 @@
 #include "apps/viewer/built_page.hpp"
 #include "apps/viewer/server.hpp"
 #include "hardball/error.hpp"
+#include "hardball/platform/program.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -40,25 +36,6 @@ std::uint64_t read_recording_limit(const ViewOptions& options) {
   return static_cast<std::uint64_t>(limit);
 }
 
-// Whether there is a display for a browser.
-bool has_display() {
-  return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
-}
-
-// Asks the desktop to open its browser; if that fails, the address is still on the standard output.
-void open_browser(std::string url) {
-  std::string program = "xdg-open";
-  char* const arguments[] = {program.data(), url.data(), nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
-  }
-  pid_t process = 0;
-  posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-}
-
 }  // namespace
 
 ExitCode view(const ViewOptions& options) {
@@ -71,7 +48,7 @@ ExitCode view(const ViewOptions& options) {
   write_output(server.url() + "\n");
   if (const auto damage = shown.recording().progress().damage) write_message(*damage);
   write_notes({"open this address in a browser; Ctrl-C ends the viewer"}, options.run.quiet);
-  if (!options.no_open && has_display()) open_browser(server.url());
+  if (!options.no_open && platform::has_display()) platform::open_browser(server.url());
   bool is_told = false;
   while (!is_interrupted()) {
     std::this_thread::sleep_for(50ms);

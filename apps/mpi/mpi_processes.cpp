@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/mpi/mpi_processes.hpp"
 
-#include <dlfcn.h>
-
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -11,6 +9,7 @@
 #include <system_error>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/platform/program.hpp"
 
 namespace hardball {
 namespace {
@@ -73,11 +72,10 @@ const MpiPlugin& load_plugin(std::span<const fs::path> folders, const std::strin
                       ", which installs Open MPI (libopenmpi-dev and openmpi-bin in Debian) and builds the "
                       "plug-in");
   }
-  // Open MPI loads plug-ins of its own, which look for its functions among those of the whole program.
-  void* const library = dlopen(path->c_str(), RTLD_NOW | RTLD_GLOBAL);
-  void* const symbol = library ? dlsym(library, kMpiPluginSymbol) : nullptr;
+  std::string problem;
+  void* const symbol = platform::symbol_of_library(*path, kMpiPluginSymbol, problem);
   if (!symbol) {
-    refuse_copies(sign, "the plug-in for MPI cannot be loaded (" + std::string(dlerror()) + ")",
+    refuse_copies(sign, "the plug-in for MPI cannot be loaded (" + problem + ")",
                   "install Open MPI (openmpi-bin in Debian), or build the plug-in with " + build_command);
   }
   const MpiPlugin& plugin = *reinterpret_cast<GetMpiPlugin*>(symbol)();

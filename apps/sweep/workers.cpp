@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/sweep/workers.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -26,6 +24,7 @@
 #include "apps/cli/start.hpp"
 #include "hardball/domains/processors.hpp"
 #include "hardball/error.hpp"
+#include "hardball/platform/program.hpp"
 
 namespace hardball::sweep {
 namespace {
@@ -87,8 +86,7 @@ Cost cost_of(const Study& study, const Member& member) {
 // The memory of the machine or, if that is less, of the container, in bytes.
 double memory_limit() {
   double bytes = std::numeric_limits<double>::infinity();
-  const long pages = sysconf(_SC_PHYS_PAGES);
-  if (pages > 0) bytes = static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (const std::uint64_t all = platform::physical_memory(); all > 0) bytes = static_cast<double>(all);
   double quota = 0;
   if (std::ifstream("/sys/fs/cgroup/memory.max") >> quota) bytes = std::min(bytes, quota);
   return bytes;

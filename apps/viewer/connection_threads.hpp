@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <httplib.h>
-
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
 #include <mutex>
+
+#include "apps/viewer/http.hpp"
 
 namespace hardball::viewer {
 

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "apps/viewer/guarded_server.hpp"
 
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <optional>
+
+#include "hardball/platform/sockets.hpp"
 
 namespace hardball::viewer {
 namespace {
@@ -20,11 +18,8 @@ constexpr std::string_view kEndOfHead = "\r\n\r\n";
 constexpr int kMostRequests = 1000;  // of one connection
 constexpr std::chrono::seconds kIdle{1};
 
-// Whether the socket becomes ready before the deadline.
-bool is_ready(socket_t socket, short event, Clock::time_point deadline) {
-  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-  pollfd asked{socket, event, 0};
-  return left > 0 && poll(&asked, 1, static_cast<int>(left)) > 0;
+std::chrono::milliseconds until(Clock::time_point deadline) {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
 }
 
 enum class Received { bytes, end, nothing };
@@ -32,15 +27,11 @@ enum class Received { bytes, end, nothing };
 // Appends what the client has sent before the deadline.
 Received receive(socket_t socket, std::string& text, Clock::time_point deadline) {
   std::array<char, 4096> part{};
-  if (!is_ready(socket, POLLIN, deadline)) return Received::nothing;
-  const ssize_t count = recv(socket, part.data(), part.size(), 0);
+  if (!platform::can_read(socket, until(deadline))) return Received::nothing;
+  const std::ptrdiff_t count = platform::receive(socket, part.data(), part.size());
   if (count <= 0) return count == 0 ? Received::end : Received::nothing;
   text.append(part.data(), static_cast<std::size_t>(count));
   return Received::bytes;
-}
-
-void say(socket_t socket, std::string_view text) {
-  static_cast<void>(send(socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT));
 }
 
 // A connection of which the beginning has been read.
@@ -49,8 +40,8 @@ class Connection final : public httplib::Stream {
   Connection(socket_t socket, std::string& read, std::chrono::milliseconds patience)
       : socket_(socket), read_(read), patience_(patience) {}
 
-  bool is_readable() const override { return !read_.empty() || is_ready(socket_, POLLIN, deadline()); }
-  bool is_writable() const override { return is_ready(socket_, POLLOUT, deadline()); }
+  bool is_readable() const override { return !read_.empty() || platform::can_read(socket_, patience_); }
+  bool is_writable() const override { return platform::can_write(socket_, patience_); }
   ssize_t read(char* bytes, std::size_t most) override {
     if (read_.empty() && receive(socket_, read_, deadline()) != Received::bytes) return -1;
     const std::size_t count = std::min(most, read_.size());
@@ -59,7 +50,7 @@ class Connection final : public httplib::Stream {
     return static_cast<ssize_t>(count);
   }
   ssize_t write(const char* bytes, std::size_t count) override {
-    return is_writable() ? send(socket_, bytes, count, MSG_NOSIGNAL) : -1;
+    return is_writable() ? platform::send(socket_, {bytes, count}) : -1;
   }
   void get_remote_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
   void get_local_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
@@ -79,7 +70,7 @@ void GuardedServer::end_connections() {
   const std::lock_guard lock(mutex_);
   is_ending_ = true;
   for (const auto* sockets : {&strangers_, &trusted_}) {
-    for (const socket_t socket : *sockets) shutdown(socket, SHUT_RDWR);
+    for (const socket_t socket : *sockets) platform::end_connection(socket);
   }
 }
 
@@ -99,7 +90,8 @@ void GuardedServer::serve(socket_t socket) {
     const Clock::time_point deadline = Clock::now() + limits_.patience;
     while (text.find(kEndOfHead) == std::string::npos) {
       if (text.size() > limits_.head_bytes) {
-        return say(socket, "HTTP/1.1 431 Request Header Fields Too Large\r\nConnection: close\r\n\r\n");
+        return platform::send_at_once(
+            socket, "HTTP/1.1 431 Request Header Fields Too Large\r\nConnection: close\r\n\r\n");
       }
       // Without an end the head is not valid, which the library says.
       const Received received = receive(socket, text, deadline);
@@ -115,11 +107,11 @@ void GuardedServer::serve(socket_t socket) {
 
 void GuardedServer::begin(socket_t socket) {
   const std::lock_guard lock(mutex_);
-  if (is_ending_) shutdown(socket, SHUT_RDWR);
+  if (is_ending_) platform::end_connection(socket);
   strangers_.push_back(socket);
   // Its thread closes the socket, and takes it out.
   if (strangers_.size() > limits_.strangers)
-    shutdown(strangers_[strangers_.size() - limits_.strangers - 1], SHUT_RDWR);
+    platform::end_connection(strangers_[strangers_.size() - limits_.strangers - 1]);
 }
 
 void GuardedServer::trust(socket_t socket) {
@@ -131,8 +123,8 @@ void GuardedServer::end(socket_t socket) {
   const std::lock_guard lock(mutex_);
   std::erase(strangers_, socket);
   std::erase(trusted_, socket);
-  shutdown(socket, SHUT_RDWR);
-  close(socket);
+  platform::end_connection(socket);
+  platform::close_socket(socket);
 }
 
 }  // namespace hardball::viewer

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <httplib.h>
-
 #include <deque>
 #include <functional>
 #include <mutex>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "apps/viewer/client_limits.hpp"
+#include "apps/viewer/http.hpp"
 
 namespace hardball::viewer {
 

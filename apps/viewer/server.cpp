@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/viewer/server.hpp"
 
-#include <httplib.h>
-
 #include <algorithm>
 #include <charconv>
 #include <functional>
@@ -13,6 +11,7 @@
 
 #include "apps/viewer/connection_threads.hpp"
 #include "apps/viewer/guarded_server.hpp"
+#include "apps/viewer/http.hpp"
 #include "apps/viewer/replay.hpp"
 #include "apps/viewer/token.hpp"
 #include "hardball/errors/error.hpp"
@@ -172,11 +171,9 @@ std::string Server::url() const {
 void Server::set_rules() {
   server_->new_task_queue = [] { return new ConnectionThreads(kMaxConnections); };
   server_->set_payload_max_length(0);
-  // The library would let two programs share one port.
   server_->set_socket_options([this](socket_t socket) {
     socket_ = socket;
-    const int yes = 1;
-    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+    platform::keep_port(socket);
   });
   server_->set_default_headers({
       {"Cache-Control", "no-store"},

@@ -9,6 +9,7 @@
 #include "apps/viewer/client_limits.hpp"
 #include "apps/viewer/page.hpp"
 #include "apps/viewer/shared_recording.hpp"
+#include "hardball/platform/sockets.hpp"
 
 namespace httplib {
 struct Request;
@@ -49,7 +50,7 @@ class Server {
   std::string token_;
   std::string index_;
   std::unique_ptr<GuardedServer> server_;
-  int socket_ = -1;  // at which it listens
+  platform::Socket socket_ = 0;  // at which it listens
   int port_ = 0;
   std::thread thread_;
 };

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/viewer/shared_recording.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -38,14 +35,10 @@ nlohmann::json to_json(const std::vector<TimedBlocks>& divisions) {
 }  // namespace
 
 SharedRecording::SharedRecording(const std::filesystem::path& path, OnDamage on_damage)
-    : reader_(path, on_damage), file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-  if (file_ < 0) {
+    : reader_(path, on_damage), file_(path, platform::Access::read) {
+  if (!file_.is_open()) {
     throw Error(std::string("cannot be read: ") + std::strerror(errno), path.string(), "name a recording");
   }
-}
-
-SharedRecording::~SharedRecording() {
-  close(file_);
 }
 
 void SharedRecording::verify(const std::function<void(const RecordedChunk&)>& take) {
@@ -114,9 +107,7 @@ std::uint64_t SharedRecording::length() const {
 std::string SharedRecording::read(const FileExtent& extent) const {
   std::string bytes(extent.length, '\0');
   for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t got =
-        pread(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(extent.offset + done));
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got = file_.read_at(extent.offset + done, bytes.data() + done, bytes.size() - done);
     if (got <= 0) throw RunFailure("the recording cannot be read");
     done += static_cast<std::size_t>(got);
   }

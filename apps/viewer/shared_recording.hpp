@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hardball/engine/window_counters.hpp"
+#include "hardball/platform/files.hpp"
 #include "hardball/recording/recording_reader.hpp"
 #include "hardball/world/block.hpp"
 
@@ -44,8 +45,6 @@ class SharedRecording {
  public:
   /// Error: see RecordingReader.
   explicit SharedRecording(const std::filesystem::path& path, OnDamage on_damage = OnDamage::refuse);
-  ~SharedRecording();
-  SharedRecording(const SharedRecording&) = delete;
 
   /// See RecordingReader::verify.
   void verify(const std::function<void(const RecordedChunk&)>& take);
@@ -74,7 +73,7 @@ class SharedRecording {
 
  private:
   RecordingReader reader_;
-  int file_;  // for reading at any offset without a lock
+  platform::File file_;  // for reading at any offset without a lock
   mutable std::mutex mutex_;
   RunProgress progress_;
 };

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +16,7 @@
 
 #include "hardball/archive/archive_writer.hpp"
 #include "hardball/archive/persistence.hpp"
+#include "hardball/platform/little_endian.hpp"
 
 namespace hardball {
 
@@ -50,10 +50,11 @@ class ArchiveReader {
   }
 
  private:
-  void read_bytes(void* data, std::size_t count) {
-    require(count <= bytes_.size());
-    if (count > 0) std::memcpy(data, bytes_.data(), count);
-    bytes_.remove_prefix(count);
+  template <Plain T>
+  void read_numbers(T* values, std::size_t count) {
+    require(count * sizeof(T) <= bytes_.size());
+    read_little_endian(bytes_.data(), values, count);
+    bytes_.remove_prefix(count * sizeof(T));
   }
   // Of a sequence whose parts take at least `least` bytes each.
   std::size_t read_size(std::size_t least) {
@@ -70,9 +71,8 @@ class ArchiveReader {
       read(byte);
       require(byte <= 1);
       value = byte != 0;
-    } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || kIsPlain<T>) {
-      static_assert(std::is_trivially_copyable_v<T>);
-      read_bytes(&value, sizeof(T));
+    } else if constexpr (Plain<T>) {
+      read_numbers(&value, 1);
     } else {
       Persistence::persist(*this, value);
       require(Persistence::restored(value));
@@ -80,14 +80,14 @@ class ArchiveReader {
   }
   void read(std::string& text) {
     text.resize(read_size(1));
-    read_bytes(text.data(), text.size());
+    read_numbers(text.data(), text.size());
   }
   template <class T, class Allocator>
   void read(std::vector<T, Allocator>& values) {
     values.clear();
-    if constexpr ((std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || kIsPlain<T>) {
+    if constexpr (Plain<T> && !std::is_same_v<T, bool>) {
       values.resize(read_size(sizeof(T)));
-      read_bytes(values.data(), values.size() * sizeof(T));
+      read_numbers(values.data(), values.size());
     } else {
       // Not reserved: parts may take more memory than bytes.
       for (std::size_t left = read_size(1); left > 0; --left) read(values.emplace_back(blank<T>()));

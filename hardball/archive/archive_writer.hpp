@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "hardball/archive/persistence.hpp"
+#include "hardball/platform/little_endian.hpp"
 
 namespace hardball {
 
@@ -23,8 +23,7 @@ namespace hardball {
 /// for what a class must have.
 class ArchiveWriter {
  public:
-  static_assert(std::endian::native == std::endian::little && sizeof(std::size_t) == sizeof(std::uint64_t),
-                "numbers are written as they lie in memory");
+  static_assert(sizeof(std::size_t) == sizeof(std::uint64_t), "sizes are written as they are");
 
   /// The version of the format written. It counts up whenever the state of any class changes; readers read
   /// all from that of the first release on.
@@ -44,31 +43,27 @@ class ArchiveWriter {
   std::string take() { return std::move(bytes_); }
 
  private:
-  void write_bytes(const void* data, std::size_t count) {
-    bytes_.append(static_cast<const char*>(data), count);
-  }
   void write_size(std::size_t size) { write(static_cast<std::uint64_t>(size)); }
 
   template <class T>
   void write(const T& value) {
     if constexpr (std::is_same_v<T, bool>) {
       write(static_cast<std::uint8_t>(value));
-    } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || kIsPlain<T>) {
-      static_assert(std::is_trivially_copyable_v<T>);
-      write_bytes(&value, sizeof(T));
+    } else if constexpr (Plain<T>) {
+      append_little_endian(bytes_, value);
     } else {
       Persistence::persist(*this, value);
     }
   }
   void write(const std::string& text) {
     write_size(text.size());
-    write_bytes(text.data(), text.size());
+    bytes_ += text;
   }
   template <class T, class Allocator>
   void write(const std::vector<T, Allocator>& values) {
     write_size(values.size());
-    if constexpr ((std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || kIsPlain<T>) {
-      write_bytes(values.data(), values.size() * sizeof(T));
+    if constexpr (Plain<T> && !std::is_same_v<T, bool>) {
+      append_little_endian(bytes_, values.data(), values.size());
     } else {
       for (const T& value : values) write(value);
     }

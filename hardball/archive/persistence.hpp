@@ -37,11 +37,4 @@ class Persistence {
   }
 };
 
-/// Whether objects of a class are written as their bytes: they consist of doubles and 32-bit integers alone,
-/// without gaps.
-template <class T>
-inline constexpr bool kIsPlain = requires {
-  requires T::kIsPlain;
-};
-
 }  // namespace hardball

@@ -6,26 +6,14 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <thread>
 
-#if defined(__linux__)
-#include <sched.h>
-#endif
+#include "hardball/platform/processors.hpp"
 
 namespace hardball {
 namespace {
-
-// Processors that were busy in the last minute, on the average; zero where that cannot be found out.
-double load() {
-#if defined(__linux__) || defined(__APPLE__)
-  double load = 0;
-  if (getloadavg(&load, 1) == 1) return load;
-#endif
-  return 0;
-}
 
 // Of the container, or of the machine.
 std::string quota() {
@@ -37,18 +25,6 @@ std::string quota() {
 
 }  // namespace
 
-std::vector<int> available_processors() {
-  std::vector<int> processors;
-#if defined(__linux__)
-  cpu_set_t available;
-  if (sched_getaffinity(0, sizeof available, &available) != 0) return processors;
-  for (int processor = 0; processor < CPU_SETSIZE; ++processor) {
-    if (CPU_ISSET(static_cast<unsigned>(processor), &available)) processors.push_back(processor);
-  }
-#endif
-  return processors;
-}
-
 // Numbers half of all processors apart often belong to one core: they fall to one thread.
 std::vector<int> processors_of_thread(const std::vector<int>& available, std::size_t threads,
                                       std::size_t number) {
@@ -58,7 +34,7 @@ std::vector<int> processors_of_thread(const std::vector<int>& available, std::si
 }
 
 std::size_t allowed_processors() {
-  std::size_t all = available_processors().size();
+  std::size_t all = platform::available_processors().size();
   if (all == 0) all = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
   return processors_by_quota(quota(), all);
 }
@@ -66,7 +42,7 @@ std::size_t allowed_processors() {
 std::size_t free_processors() {
   const std::size_t all = allowed_processors();
   const std::size_t machine = std::max<std::size_t>(std::thread::hardware_concurrency(), all);
-  const auto busy = static_cast<std::size_t>(std::lround(std::max(load(), 0.0)));
+  const auto busy = static_cast<std::size_t>(std::lround(std::max(platform::load_average(), 0.0)));
   const std::size_t idle = machine - std::min(busy, machine - 1);
   return std::min(all, idle);
 }

@@ -8,9 +8,6 @@
 
 namespace hardball {
 
-/// The processors on which the calling thread may run, by number; empty where that cannot be found out.
-std::vector<int> available_processors();
-
 /// The available processors on which one of a team of threads is to run; no other thread of the team runs on
 /// them. If there are more processors than threads, a thread gets several, so that the operating system can
 /// choose one that other processes leave alone. Precondition: there are at least as many processors as

@@ -3,16 +3,11 @@
 #include "hardball/domains/thread_team.hpp"
 
 #include <chrono>
-#include <ctime>
 #include <system_error>
 
 #include "hardball/domains/processors.hpp"
 #include "hardball/errors/error.hpp"
-
-#if defined(__linux__)
-#include <pthread.h>
-#include <sched.h>
-#endif
+#include "hardball/platform/processors.hpp"
 
 namespace hardball {
 namespace {
@@ -24,6 +19,8 @@ constexpr int kSpins = 4000;
 void pause() {
 #if defined(__x86_64__)
   __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("isb" ::: "memory");
 #endif
 }
 
@@ -39,31 +36,9 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Processor time of the calling thread; where it is not known, as if it always ran.
-double processor_seconds() {
-#if defined(CLOCK_THREAD_CPUTIME_ID)
-  timespec time;
-  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0)
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-#endif
-  return seconds();
-}
-
-#if defined(__linux__)
-void let_run_on(const std::vector<int>& processors) {
-  cpu_set_t chosen;
-  CPU_ZERO(&chosen);
-  for (const int processor : processors) CPU_SET(static_cast<unsigned>(processor), &chosen);
-  // Only for speed: it may fail.
-  pthread_setaffinity_np(pthread_self(), sizeof chosen, &chosen);
-}
-#else
-void let_run_on(const std::vector<int>&) {}
-#endif
-
 }  // namespace
 
-ThreadTeam::ThreadTeam(std::size_t threads) : size_(threads), processors_(available_processors()) {
+ThreadTeam::ThreadTeam(std::size_t threads) : size_(threads), processors_(platform::available_processors()) {
   try {
     for (std::size_t number = 1; number < threads; ++number)
       workers_.emplace_back([this, number] { work(number); });
@@ -115,7 +90,7 @@ void ThreadTeam::work(std::size_t number) {
 }
 
 void ThreadTeam::pin(std::size_t number) const {
-  if (may_pin()) let_run_on(processors_of_thread(processors_, size(), number));
+  if (may_pin()) platform::run_on(processors_of_thread(processors_, size(), number));
 }
 
 // A thread that waits sleeps soon, so it runs less of the time than this only if others are late, or it is.
@@ -131,16 +106,16 @@ void ThreadTeam::note_pinned(double elapsed, double processor) {
 
 ThreadTeam::Pinned::Pinned(ThreadTeam& team) : team_(team) {
   if (!team.may_pin()) return;
-  before_ = available_processors();
+  before_ = platform::available_processors();
   team.pin(0);
   begin_ = seconds();
-  processor_begin_ = processor_seconds();
+  processor_begin_ = platform::thread_seconds();
 }
 
 ThreadTeam::Pinned::~Pinned() {
   if (before_.empty()) return;
-  team_.note_pinned(seconds() - begin_, processor_seconds() - processor_begin_);
-  let_run_on(before_);
+  team_.note_pinned(seconds() - begin_, platform::thread_seconds() - processor_begin_);
+  platform::run_on(before_);
 }
 
 }  // namespace hardball

@@ -14,7 +14,7 @@ namespace hardball {
 /// Contacts are computed for one epoch at a time: those that would come after its end are of the next, whose
 /// scale begins where this one ends.
 struct Growth {
-  static constexpr bool kIsPlain = true;  ///< To archives.
+  using PlainNumber = double;  ///< To archives.
 
   Time begin;         ///< [T]
   Time end = kNever;  ///< Finite where the rate is not zero [T].

@@ -16,7 +16,7 @@ namespace hardball {
 /// leave a periodic box without being folded back: Image counts the boxes.
 template <class Number>
 struct alignas(std::is_same_v<Number, double> ? 64 : alignof(Number)) PathOf {
-  static constexpr bool kIsPlain = true;  ///< To archives.
+  using PlainNumber = Number;  ///< To archives.
 
   VectorOf<Number> position;  ///< Center at `time` [L].
   VectorOf<Number> velocity;  ///< At `time` [L/T].

@@ -22,7 +22,7 @@ namespace hardball {
 /// representation is unique, so times compare by their parts.
 template <class Number>
 struct TimeOf {
-  static constexpr bool kIsPlain = true;  ///< To archives.
+  using PlainNumber = Number;  ///< To archives.
 
   Number high{};
   Number low{};

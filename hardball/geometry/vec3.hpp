@@ -16,7 +16,7 @@ namespace hardball {
 /// A vector in space of such numbers (number.hpp): of vectors of doubles it has one in each lane.
 template <class Number>
 struct VectorOf {
-  static constexpr bool kIsPlain = true;  ///< To archives.
+  using PlainNumber = Number;  ///< To archives.
 
   Number x{};
   Number y{};
@@ -74,7 +74,7 @@ inline double length(const Vec3& a) {
 /// A periodic image of a sphere: the one displaced by this many box lengths along each axis. Zero along axes
 /// that are not periodic.
 struct Image {
-  static constexpr bool kIsPlain = true;  ///< To archives.
+  using PlainNumber = std::int32_t;  ///< To archives.
 
   std::array<std::int32_t, kAxes> boxes{};
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/little_endian.hpp"
 #include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
+#include "hardball/platform/little_endian.hpp"
 
 namespace hardball {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "hardball/io/little_endian.hpp"
+#include "hardball/platform/little_endian.hpp"
 
 namespace hardball {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/little_endian.hpp"
+#include "hardball/platform/little_endian.hpp"
 
 namespace hardball {
 namespace {

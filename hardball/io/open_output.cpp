@@ -2,34 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/io/open_output.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
+#include <cstdint>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "hardball/errors/error.hpp"
 
 namespace hardball {
 namespace {
 
-constexpr int kFlags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC;
-constexpr mode_t kMode = 0666;
-
 // Nothing is lost by writing to it.
 bool leads_to_device(const std::filesystem::path& path) {
   std::error_code failure;
   return std::filesystem::is_character_file(path, failure);
-}
-
-// Closes the file, and keeps errno.
-int given_up(int file) {
-  const int reason = errno;
-  close(file);
-  errno = reason;
-  return -1;
 }
 
 }  // namespace
@@ -43,16 +29,17 @@ void refuse_link(const std::filesystem::path& path) {
               path.string(), "remove the link, or name another file or directory for the output");
 }
 
-int open_output(const std::filesystem::path& path) {
-  if (leads_to_device(path)) return open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  const int file = open(path.c_str(), kFlags, kMode);
-  if (file < 0) return file;
-  struct stat status {};
-  if (fstat(file, &status) != 0) return given_up(file);
-  if (!S_ISREG(status.st_mode)) return file;
-  if (status.st_nlink <= 1) return ftruncate(file, 0) == 0 ? file : given_up(file);
-  close(file);
-  return unlink(path.c_str()) == 0 ? open(path.c_str(), kFlags | O_EXCL, kMode) : -1;
+platform::File open_output(const std::filesystem::path& path) {
+  using platform::Access;
+  using platform::File;
+  if (leads_to_device(path)) return {path, Access::write};
+  File file(path, Access::create);
+  if (!file.is_open()) return file;
+  const std::uint64_t names = file.names();
+  if (names == 0) return file;
+  if (names == 1) return file.resize(0) ? std::move(file) : File();
+  file.close();
+  return platform::remove_file(path) ? File(path, Access::create_new) : File();
 }
 
 }  // namespace hardball

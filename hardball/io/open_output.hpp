@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "hardball/errors/export.hpp"
+#include "hardball/platform/files.hpp"
 
 namespace hardball {
 
@@ -12,9 +13,9 @@ namespace hardball {
 /// of these.
 HARDBALL_EXPORT void refuse_link(const std::filesystem::path& path);
 
-/// Opens a file to be written from its beginning, and returns its descriptor; -1, with errno, if that is
-/// impossible. No file that has other names is changed under these: a symbolic link to it is not followed,
-/// and a hard link becomes a file of its own.
-int open_output(const std::filesystem::path& path);
+/// Opens a file to be written from its beginning; it is not open, and errno says why, if that is impossible.
+/// No file that has other names is changed under these: a symbolic link to it is not followed, and a hard
+/// link becomes a file of its own.
+platform::File open_output(const std::filesystem::path& path);
 
 }  // namespace hardball

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/io/output_file.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -35,18 +33,21 @@ std::optional<std::uint64_t> checksum_before(const std::filesystem::path& path, 
 
 OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
   refuse_link(path_);
-  const int file = open_output(path_);
-  own(file < 0 ? nullptr : fdopen(file, "wb"));
+  file_ = open_output(path_);
+  require_open();
 }
 
 OutputFile::OutputFile(std::filesystem::path path, const FilePosition& position, std::uint64_t head)
-    : path_(std::move(path)), written_(position.bytes), complete_(position.bytes) {
+    : path_(std::move(path)),
+      file_(path_, platform::Access::write),
+      written_(position.bytes),
+      complete_(position.bytes) {
   constexpr const char* kRemedy = "restore the file, or start again in another directory";
   const std::uint64_t bytes = position.bytes;
-  own(std::fopen(path_.string().c_str(), "rb+"));
+  require_open();
   std::error_code failure;
   const std::uintmax_t present = std::filesystem::file_size(path_, failure);
-  if (failure || present < bytes || std::fseek(file_.get(), static_cast<long>(bytes), SEEK_SET) != 0) {
+  if (failure || present < bytes || !file_.seek(bytes)) {
     throw Error(failure ? "cannot be continued: " + failure.message()
                         : "has " + std::to_string(present) + " bytes, not the " + std::to_string(bytes) +
                               " or more that were written",
@@ -60,19 +61,17 @@ OutputFile::OutputFile(std::filesystem::path path, const FilePosition& position,
 }
 
 // Error: the file could not be opened.
-void OutputFile::own(std::FILE* file) {
-  file_.reset(file);
-  if (!file_) {
-    throw Error(std::string("cannot be written: ") + std::strerror(errno), path_.string(),
-                "name a file in a directory that you may write to");
-  }
-  // Only this class buffers, so that an error shows where it happens.
-  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+void OutputFile::require_open() const {
+  if (is_open()) return;
+  throw Error(std::string("cannot be written: ") + std::strerror(errno), path_.string(),
+              "name a file in a directory that you may write to");
 }
 
 OutputFile::~OutputFile() {
-  if (file_ && written_ > complete_) truncate();
+  if (is_open() && written_ > complete_) truncate();
 }
+
+OutputFile::OutputFile(OutputFile&&) noexcept = default;
 
 void OutputFile::append(std::string_view bytes) {
   HARDBALL_CHECK(is_open());
@@ -82,12 +81,9 @@ void OutputFile::append(std::string_view bytes) {
 
 void OutputFile::overwrite(std::uint64_t offset, std::string_view bytes) {
   HARDBALL_CHECK(is_open() && offset + bytes.size() <= written_);
-  const auto seek = [&](std::uint64_t from_start) {
-    if (std::fseek(file_.get(), static_cast<long>(from_start), SEEK_SET) != 0) fail();
-  };
-  seek(offset);
+  if (!file_.seek(offset)) fail();
   write(bytes);
-  seek(written_);
+  if (!file_.seek(written_)) fail();
 }
 
 void OutputFile::flush() {
@@ -106,7 +102,7 @@ void OutputFile::flush_complete() {
 void OutputFile::sync() {
   flush_complete();
   // Devices and pipes have nothing to wait for.
-  if (fsync(fileno(file_.get())) != 0 && errno != EINVAL && errno != EROFS) fail();
+  if (!file_.sync() && errno != EINVAL && errno != EROFS) fail();
 }
 
 FilePosition OutputFile::position(std::uint64_t head) {
@@ -115,22 +111,22 @@ FilePosition OutputFile::position(std::uint64_t head) {
 }
 
 void OutputFile::close() {
-  if (!file_) return;
+  if (!is_open()) return;
   flush_complete();
-  if (std::fclose(file_.release()) != 0) fail();
+  if (!file_.close()) fail();
 }
 
 void OutputFile::write(std::string_view bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail();
+  if (!file_.write(bytes)) fail();
 }
 
 void OutputFile::cut_off() {
-  if (is_too_long_ && ftruncate(fileno(file_.get()), static_cast<off_t>(written_)) != 0) fail();
+  if (is_too_long_ && !file_.resize(written_)) fail();
   is_too_long_ = false;
 }
 
 void OutputFile::truncate() noexcept {
-  file_.reset();
+  file_.close();
   std::error_code ignored;  // a device cannot be truncated
   std::filesystem::resize_file(path_, complete_, ignored);
 }

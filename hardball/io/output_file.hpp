@@ -3,14 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/io/file_position.hpp"
+#include "hardball/platform/files.hpp"
 
 namespace hardball {
 
@@ -31,7 +30,7 @@ class HARDBALL_EXPORT OutputFile {
   OutputFile(std::filesystem::path path, const FilePosition& position, std::uint64_t head = 0);
 
   const std::filesystem::path& path() const { return path_; }
-  bool is_open() const { return file_ != nullptr; }
+  bool is_open() const { return file_.is_open(); }
   /// The bytes appended so far.
   std::uint64_t size() const { return written_ + pending_.size(); }
 
@@ -60,21 +59,17 @@ class HARDBALL_EXPORT OutputFile {
   void close();
 
   ~OutputFile();
-  OutputFile(OutputFile&&) noexcept = default;
+  OutputFile(OutputFile&&) noexcept;
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
-  void own(std::FILE* file);
+  void require_open() const;
   void cut_off();
   void write(std::string_view bytes);
   void truncate() noexcept;
   [[noreturn]] void fail();
 
   std::filesystem::path path_;
-  std::unique_ptr<std::FILE, Close> file_;
+  platform::File file_;
   std::string pending_;
   std::uint64_t written_ = 0;   // bytes handed to the operating system
   std::uint64_t complete_ = 0;  // bytes of the file when last complete

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "hardball/kernels/bound_kernel_body.hpp"
 #include "hardball/kernels/contact_kernel_body.hpp"
@@ -151,21 +152,37 @@ struct Floats {
   static Floats pick(const float* eight, const Integers& which) {
     return Vector{eight[which.v[0] % 8], eight[which.v[1] % 8], eight[which.v[2] % 8], eight[which.v[3] % 8]};
   }
+  // Four numbers of 32 bits at an address, from each of four structures.
+  struct Four {
+    Integers a, b, c, d;
+  };
+  static Four transposed(const CompactPath* paths, const std::uint32_t* at, std::size_t member) {
+    const auto row = [&](std::size_t lane) {
+      Integers::Unsigned numbers;
+      std::memcpy(&numbers, reinterpret_cast<const char*>(paths + at[lane]) + member * sizeof(float),
+                  sizeof numbers);
+      return numbers;
+    };
+    const Integers::Unsigned low02 = __builtin_shufflevector(row(0), row(2), 0, 4, 1, 5);
+    const Integers::Unsigned high02 = __builtin_shufflevector(row(0), row(2), 2, 6, 3, 7);
+    const Integers::Unsigned low13 = __builtin_shufflevector(row(1), row(3), 0, 4, 1, 5);
+    const Integers::Unsigned high13 = __builtin_shufflevector(row(1), row(3), 2, 6, 3, 7);
+    return {__builtin_shufflevector(low02, low13, 0, 4, 1, 5),
+            __builtin_shufflevector(low02, low13, 2, 6, 3, 7),
+            __builtin_shufflevector(high02, high13, 0, 4, 1, 5),
+            __builtin_shufflevector(high02, high13, 2, 6, 3, 7)};
+  }
   static void load(const CompactPath* paths, const std::uint32_t* at, CompactPathsOfLanes<Floats>& out) {
-    const auto integers = [&](const auto& member) {
-      const auto of = [&](int lane) { return static_cast<std::uint32_t>(member(paths[at[lane]])); };
-      return Integers::Unsigned{of(0), of(1), of(2), of(3)};
-    };
-    const auto velocities = [&](std::size_t axis) {
-      return Vector{paths[at[0]].velocity[axis], paths[at[1]].velocity[axis], paths[at[2]].velocity[axis],
-                    paths[at[3]].velocity[axis]};
-    };
-    out.x = integers([](const CompactPath& path) { return path.position[0]; });
-    out.y = integers([](const CompactPath& path) { return path.position[1]; });
-    out.z = integers([](const CompactPath& path) { return path.position[2]; });
-    out.tick = integers([](const CompactPath& path) { return path.tick; });
-    out.revision = integers([](const CompactPath& path) { return path.revision; });
-    out.velocity = {velocities(0), velocities(1), velocities(2)};
+    static_assert(sizeof(CompactPath) == 8 * sizeof(float));
+    const Four position = transposed(paths, at, 0);
+    out.x = position.a;
+    out.y = position.b;
+    out.z = position.c;
+    out.tick = position.d;
+    const Four velocity = transposed(paths, at, 4);
+    out.velocity = {std::bit_cast<Vector>(velocity.a.v), std::bit_cast<Vector>(velocity.b.v),
+                    std::bit_cast<Vector>(velocity.c.v)};
+    out.revision = velocity.d;
   }
 
   Vector v;

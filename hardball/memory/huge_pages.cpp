@@ -5,10 +5,7 @@
 #include <new>
 
 #include "hardball/memory/page_arena.hpp"
-
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
+#include "hardball/platform/processors.hpp"
 
 namespace hardball {
 namespace {
@@ -44,10 +41,7 @@ bool is_shared(std::size_t bytes) {
 
 void* allocate_pages(std::size_t bytes) {
   void* const memory = ::operator new (bytes, std::align_val_t{kHugePage});
-#if defined(__linux__)
-  // A hint, which the system may ignore.
-  static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));
-#endif
+  platform::advise_huge_pages(memory, bytes);
   return memory;
 }
 

@@ -3,7 +3,6 @@
 #include "hardball/packing/request_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/platform/from_chars.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
 
 namespace hardball {
@@ -23,7 +23,7 @@ namespace {
 template <class Number>
 std::optional<Number> number_in(std::string_view text) {
   Number number{};
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, status] = platform::from_chars(text.data(), text.data() + text.size(), number);
   if (status != std::errc() || end != text.data() + text.size()) return {};
   return number;
 }

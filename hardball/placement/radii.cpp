@@ -3,7 +3,6 @@
 #include "hardball/placement/radii.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <numeric>
@@ -13,6 +12,7 @@
 #include "hardball/geometry/range.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/numbers/exact_sum.hpp"
+#include "hardball/platform/from_chars.hpp"
 
 namespace hardball {
 namespace {
@@ -187,7 +187,7 @@ std::vector<double> read_radii(const std::filesystem::path& file, const std::str
     const std::string place = file.string() + ":" + to_text(radii.size() + 1);
     if (line.ends_with('\r')) line.pop_back();
     double radius = 0;
-    const auto [end, status] = std::from_chars(line.data(), line.data() + line.size(), radius);
+    const auto [end, status] = platform::from_chars(line.data(), line.data() + line.size(), radius);
     if (status != std::errc() || end != line.data() + line.size()) {
       throw Error("the line is not a number", place, "give one radius on each line, and nothing else");
     }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/little_endian.hpp"
+#include "hardball/platform/little_endian.hpp"
 
 namespace hardball {
 namespace {

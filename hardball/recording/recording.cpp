@@ -268,6 +268,44 @@ class HeaderReader {
   std::string part_;
 };
 
+struct SineAndCosine {
+  double sine = 0;
+  double cosine = 1;
+};
+
+// From operations that are exactly rounded, so that recordings have the same bits on all machines: the C
+// library's functions may differ in the last one. Its errors are some 2^-51, as those of the angle's
+// rounding.
+SineAndCosine sine_and_cosine(double angle) {
+  constexpr double kTurn = 0x1.921fb54442d18p+2;
+  constexpr double kQuarter = 0x1.921fb544p+0;  // of which small multiples are exact
+  constexpr double kRestOfQuarter = 0x1.0b4611a626331p-34;
+  if (!std::isfinite(angle)) return {};
+  const double within = std::remainder(angle, kTurn);
+  const auto quarters = static_cast<int>(std::nearbyint(within / (kTurn / 4)));
+  const double rest = (within - quarters * kQuarter) - quarters * kRestOfQuarter;
+  const double square = rest * rest;
+  // Taylor's series; up to an eighth of a turn, what is left out is below 2^-58.
+  constexpr int kLast = 19;
+  double sine = 1;
+  double cosine = 1;
+  for (int k = kLast; k >= 3; k -= 2) {
+    sine = 1 - square * sine / (k * (k - 1));
+    cosine = 1 - square * cosine / ((k - 1) * (k - 2));
+  }
+  sine *= rest;
+  switch (quarters) {
+    case 0:
+      return {sine, cosine};
+    case 1:
+      return {cosine, -sine};
+    case -1:
+      return {-cosine, sine};
+    default:
+      return {-sine, -cosine};
+  }
+}
+
 }  // namespace
 
 std::string to_json(const RecordingHeader& header) {
@@ -350,9 +388,8 @@ Vec3 RecordedPath::velocity_at(double moment, const Vec3& gravity) const {
 Orientation Orientation::turned(const Vec3& spin, double duration) const {
   const double rate = length(spin);
   if (rate == 0) return *this;
-  const double half = rate * duration / 2;
-  const Vec3 axis = (std::sin(half) / rate) * spin;
-  const double along = std::cos(half);
+  const auto [sine, along] = sine_and_cosine(rate * duration / 2);
+  const Vec3 axis = (sine / rate) * spin;
   return {along * imaginary + real * axis + cross(axis, imaginary), along * real - dot(axis, imaginary)};
 }
 

@@ -106,7 +106,7 @@ HARDBALL_EXPORT RecordingHeader parse_recording_header(std::string_view json, co
 
 /// The motion of a sphere from a contact, or from the start, on.
 struct HARDBALL_EXPORT RecordedPath {
-  static constexpr bool kIsPlain = true;  ///< To archives.
+  using PlainNumber = double;  ///< To archives.
 
   Vec3 position;    ///< Center at `time`, folded into the box [L].
   Vec3 velocity;    ///< [L/T]
@@ -122,7 +122,7 @@ struct HARDBALL_EXPORT RecordedPath {
 
 /// How a sphere is turned: a unit quaternion. Turned upright, a sphere is as it was at the start.
 struct HARDBALL_EXPORT Orientation {
-  static constexpr bool kIsPlain = true;  ///< To archives.
+  using PlainNumber = double;  ///< To archives.
 
   Vec3 imaginary;   ///< [1]
   double real = 1;  ///< [1]
@@ -135,7 +135,7 @@ struct HARDBALL_EXPORT Orientation {
 
 /// What a sphere is and how it turns, from a contact, or from the start, on.
 struct RecordedBody {
-  static constexpr bool kIsPlain = true;  ///< To archives.
+  using PlainNumber = double;  ///< To archives.
 
   Vec3 spin = {};                ///< Angular velocity [1/T].
   Orientation orientation = {};  ///< When the sphere's path started.
@@ -151,7 +151,7 @@ struct RecordedBody {
 
 /// The scale of all radii from some time on; see Growth.
 struct RecordedEpoch {
-  static constexpr bool kIsPlain = true;  ///< To archives.
+  using PlainNumber = double;  ///< To archives.
 
   double begin = 0;  ///< [T]
   double scale = 1;  ///< At the begin [1].
@@ -180,7 +180,7 @@ struct HARDBALL_EXPORT RecordedContact {
   Vec3 second_spin = {};  ///< Zero unless it is a collision; zero if the spheres merge.
   /// The first sphere after a merger.
   struct Merged {
-    static constexpr bool kIsPlain = true;
+    using PlainNumber = double;
 
     double radius = 0;          ///< [L]
     double mass = 0;            ///< [M]

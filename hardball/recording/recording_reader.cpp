@@ -8,7 +8,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/crc32.hpp"
-#include "hardball/io/little_endian.hpp"
+#include "hardball/platform/little_endian.hpp"
 
 namespace hardball {
 namespace {

@@ -10,7 +10,7 @@
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/crc32.hpp"
-#include "hardball/io/little_endian.hpp"
+#include "hardball/platform/little_endian.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/pair_event.hpp"
 

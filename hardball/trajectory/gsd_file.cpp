@@ -50,7 +50,7 @@ File::File(const std::filesystem::path& path) : name_(path.string()), file_(path
   }
   const std::string index = read_bytes(header_.index_location, header_.index_entries * Entry::kBytes);
   for (std::size_t at = 0; at < index.size(); at += Entry::kBytes) {
-    entries_.push_back(read_little_endian<Entry>(&index[at]));
+    entries_.push_back(read_entry(&index[at]));
     if (entries_.back().location != 0) continue;
     entries_.pop_back();
     break;

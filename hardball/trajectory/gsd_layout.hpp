@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "hardball/io/little_endian.hpp"
+#include "hardball/platform/little_endian.hpp"
 
 /// The layout of GSD files and the schema hoomd. Source: the specification of GSD, "File layer" (version 2)
 /// and "HOOMD Schema" (version 1.4), https://gsd.readthedocs.io.
@@ -85,7 +85,6 @@ struct Header {
 
 /// The place of a chunk, which is a matrix of numbers, as it lies in the index.
 struct Entry {
-  static constexpr bool kIsPlain = true;
   static constexpr std::size_t kBytes = 32;
 
   std::uint64_t frame = 0;
@@ -98,7 +97,24 @@ struct Entry {
 
   std::uint64_t bytes() const { return rows * columns * bytes_of(type); }
 };
-static_assert(sizeof(Entry) == Entry::kBytes);
+
+inline void append_entry(std::string& bytes, const Entry& entry) {
+  append_little_endian(bytes, entry.frame);
+  append_little_endian(bytes, entry.rows);
+  append_little_endian(bytes, entry.location);
+  append_little_endian(bytes, entry.columns);
+  append_little_endian(bytes, entry.name);
+  append_little_endian(bytes, entry.type);
+  append_little_endian(bytes, entry.flags);
+}
+
+/// Precondition: there are Entry::kBytes bytes.
+inline Entry read_entry(const char* bytes) {
+  return {read_little_endian<std::uint64_t>(bytes),      read_little_endian<std::uint64_t>(bytes + 8),
+          read_little_endian<std::uint64_t>(bytes + 16), read_little_endian<std::uint32_t>(bytes + 24),
+          read_little_endian<std::uint16_t>(bytes + 28), read_little_endian<std::uint8_t>(bytes + 30),
+          read_little_endian<std::uint8_t>(bytes + 31)};
+}
 
 inline std::string bytes_of(const Header& header) {
   std::string bytes;

@@ -84,7 +84,7 @@ std::vector<gsd::Entry> first_entries(const gsd::File& file, std::uint64_t frame
 std::string index_of(std::initializer_list<const std::vector<gsd::Entry>*> parts, std::uint64_t room) {
   std::string bytes;
   for (const std::vector<gsd::Entry>* const entries : parts) {
-    for (const gsd::Entry& entry : *entries) append_little_endian(bytes, entry);
+    for (const gsd::Entry& entry : *entries) gsd::append_entry(bytes, entry);
   }
   bytes.resize(room * gsd::Entry::kBytes);
   return bytes;
@@ -105,7 +105,7 @@ std::uint64_t checksum_of_last(const std::vector<gsd::Entry>& entries, const Rea
   std::uint64_t summed = 0;
   for (auto entry = entries.rbegin(); entry != entries.rend() && summed < kSummedBytes; ++entry) {
     const std::string bytes = read(*entry);
-    append_little_endian(parts, *entry);
+    gsd::append_entry(parts, *entry);
     append_little_endian(parts, checksum_of(bytes));
     summed += gsd::Entry::kBytes + bytes.size();
   }

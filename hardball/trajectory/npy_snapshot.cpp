@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/little_endian.hpp"
+#include "hardball/platform/little_endian.hpp"
 #include "hardball/trajectory/sphere_columns.hpp"
 #include "hardball/trajectory/sphere_types.hpp"
 

@@ -14,11 +14,11 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checksum.hpp"
-#include "hardball/io/little_endian.hpp"
 #include "hardball/io/output_file.hpp"
 #include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
 #include "hardball/io/xml_text.hpp"
+#include "hardball/platform/little_endian.hpp"
 #include "hardball/trajectory/sphere_types.hpp"
 
 namespace hardball {

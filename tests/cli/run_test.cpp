@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cli/program.hpp"
-#include "hardball/io/little_endian.hpp"
 #include "hardball/io/npy_header.hpp"
+#include "hardball/platform/little_endian.hpp"
 #include "hardball/recording/recording_reader.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
 

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Prints the hash of the event log of several worlds, one "name hash" a line. Every compiler, optimization
-// level and machine must print the same.
+// usage: golden_hashes [portable | avx2 | avx512]: prints the hash of the event log of several worlds, one
+// "name hash" a line, computed with these instructions where the machine has them. Every compiler,
+// optimization level and machine must print the same.
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "hardball/kernels/instruction_set.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/packing/packing.hpp"
 #include "hardball/placement/placement.hpp"
@@ -18,6 +21,8 @@
 namespace {
 
 using namespace hardball;
+
+EngineOptions options;
 
 Vec3 maxwell_velocity(Random& random, double scale) {
   const double x = random.normal();
@@ -194,7 +199,7 @@ World sheared_gas() {
 void print_thermostats() {
   World gas = random_gas(Box::periodic({20, 20, 20}), {{0, 0, 0}, {20, 20, 20}}, 500, 0.5, 1.5, 11);
   gas.set_interactions(Restitution(0.875));
-  Simulation simulation(std::move(gas));
+  Simulation simulation(std::move(gas), options);
   const auto print = [&](const char* name, const ThermostatKind& kind) {
     simulation.set_thermostat(Thermostat(kind, 12));
     simulation.run_contacts(10000);
@@ -222,7 +227,7 @@ void print_packing(const char* name) {
 
 // Spheres that grow until they have halved their velocities a few times.
 void print_growth(const char* name, World world, const GrowthRules& rules) {
-  Simulation simulation(std::move(world));
+  Simulation simulation(std::move(world), options);
   simulation.grow(rules);
   simulation.run_contacts(30000);
   std::printf("%s %016llx\n", name, static_cast<unsigned long long>(simulation.event_log_hash()));
@@ -274,7 +279,7 @@ void print_chains() {
   for (SphereId id = 1; id < world.size(); ++id) {
     if (id % 8 != 0) add_bond(world, id - 1, id, bond);
   }
-  Simulation simulation(std::move(world));
+  Simulation simulation(std::move(world), options);
   simulation.run_contacts(20000);
   std::printf("chains %016llx\n", static_cast<unsigned long long>(simulation.event_log_hash()));
 }
@@ -288,15 +293,22 @@ World two_spheres() {
 
 void print(const char* name, World world, std::uint64_t contacts, const Interactions& interactions = {}) {
   world.set_interactions(interactions);
-  Simulation simulation(std::move(world));
+  Simulation simulation(std::move(world), options);
   simulation.run_contacts(contacts);
   std::printf("%s %016llx\n", name, static_cast<unsigned long long>(simulation.event_log_hash()));
 }
 
 }  // namespace
 
-int main() {
+int main(int argument_count, char** arguments) {
   using enum Boundary;
+  if (argument_count > 1) {
+    const std::string_view name = arguments[1];
+    const auto set = name == "avx512" ? InstructionSet::avx512
+                     : name == "avx2" ? InstructionSet::avx2
+                                      : InstructionSet::portable;
+    if (is_available(set)) options.instructions = set;
+  }
   const Region cube{{0, 0, 0}, {20, 20, 20}};
   print("gas_in_walls", random_gas(Box::walls({20, 20, 20}), cube, 1000, 0.5, 1, 1), 20000);
   print("dilute_periodic_gas", random_gas(Box::periodic({20, 20, 20}), cube, 200, 0.3, 1, 2), 20000);
@@ -308,7 +320,7 @@ int main() {
         Restitution(0.97));
   // An open burst ends by itself: after 1000 units of time all spheres have separated.
   {
-    Simulation burst(random_gas(Box::open(), cube, 1000, 0.6, 1, 7));
+    Simulation burst(random_gas(Box::open(), cube, 1000, 0.6, 1, 7), options);
     burst.run_until(1000);
     std::printf("burst %016llx\n", static_cast<unsigned long long>(burst.event_log_hash()));
   }

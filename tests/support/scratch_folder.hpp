@@ -5,21 +5,27 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
+#include <random>
 #include <string>
 #include <system_error>
 
-#include <stdlib.h>
-
 namespace hardball::support {
+
+/// Whether every user may make symbolic links, and limit the size of files.
+#if defined(_WIN32)
+inline constexpr bool kIsPosix = false;
+#else
+inline constexpr bool kIsPosix = true;
+#endif
 
 /// An empty folder for one test, removed at its end.
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "hardball-test-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no folder for temporary files");
-    path_ = name;
+    std::random_device random;
+    do {
+      path_ = std::filesystem::temp_directory_path() / ("hardball-test-" + std::to_string(random()));
+    } while (!std::filesystem::create_directory(path_));
   }
   ~ScratchFolder() {
     std::error_code ignored;

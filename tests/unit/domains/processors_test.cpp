@@ -10,6 +10,7 @@
 
 #include "hardball/domains/system_size.hpp"
 #include "hardball/domains/thread_team.hpp"
+#include "hardball/platform/processors.hpp"
 
 namespace hardball::processors_test {
 namespace {
@@ -30,7 +31,7 @@ TEST(Processors, OfThreadsAreNotShared) {
 
 TEST(Processors, ThatAreFreeAreSome) {
   EXPECT_GE(free_processors(), 1U);
-  const std::vector<int> available = available_processors();
+  const std::vector<int> available = platform::available_processors();
   if (!available.empty()) {
     EXPECT_LE(free_processors(), available.size());
   }
@@ -48,7 +49,7 @@ TEST(Processors, AreLimitedByQuotas) {
 #if defined(__linux__)
 // The calling thread is not the one that has made the team, or may run elsewhere by then.
 TEST(ThreadTeam, LetsItsCallerRunWhereItCouldBefore) {
-  const std::vector<int> all = available_processors();
+  const std::vector<int> all = platform::available_processors();
   if (all.size() < 2) GTEST_SKIP() << "needs two processors";
   cpu_set_t before;
   ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
@@ -59,9 +60,9 @@ TEST(ThreadTeam, LetsItsCallerRunWhereItCouldBefore) {
   ASSERT_EQ(sched_setaffinity(0, sizeof last, &last), 0);
   {
     const ThreadTeam::Pinned pinned(team);
-    EXPECT_EQ(available_processors(), processors_of_thread(all, 2, 0));
+    EXPECT_EQ(platform::available_processors(), processors_of_thread(all, 2, 0));
   }
-  EXPECT_EQ(available_processors(), std::vector<int>{all.back()});
+  EXPECT_EQ(platform::available_processors(), std::vector<int>{all.back()});
   EXPECT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
 }
 #endif

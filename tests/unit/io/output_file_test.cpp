@@ -39,8 +39,10 @@ TEST(OutputFile, ContainsWhatWasAppended) {
 TEST(OutputFile, IsNotWrittenThroughALink) {
   const ScratchFolder folder;
   write_text(folder / "precious", "kept");
-  std::filesystem::create_symlink("precious", folder / "link");
-  EXPECT_THROW(OutputFile(folder / "link"), Error);
+  if (kIsPosix) {
+    std::filesystem::create_symlink("precious", folder / "link");
+    EXPECT_THROW(OutputFile(folder / "link"), Error);
+  }
   std::filesystem::create_hard_link(folder / "precious", folder / "name");
   OutputFile file(folder / "name");
   file.append("new");
@@ -50,6 +52,7 @@ TEST(OutputFile, IsNotWrittenThroughALink) {
 }
 
 TEST(ReplaceFile, WritesThroughNoLink) {
+  if (!kIsPosix) GTEST_SKIP() << "not everybody can make symbolic links here";
   const ScratchFolder folder;
   write_text(folder / "precious", "kept");
   std::filesystem::create_symlink("precious", folder / "file");
@@ -208,6 +211,7 @@ TEST(OutputFile, SaysThatTheDiskIsFull) {
 }
 
 TEST(OutputFile, IsTruncatedToWhatIsComplete) {
+  if (!kIsPosix) GTEST_SKIP() << "files have no limit here";
   const ScratchFolder folder;
   OutputFile file(folder / "file");
   file.append("whole\n");

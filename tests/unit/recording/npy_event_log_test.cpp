@@ -4,14 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/little_endian.hpp"
+#include "hardball/platform/little_endian.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -45,10 +43,7 @@ Contact make_wall_contact(Face face, double time = 1) {
 
 template <class Value>
 Value value_at(const std::string& bytes, std::size_t offset) {
-  static_assert(std::endian::native == std::endian::little);
-  Value value;
-  std::memcpy(&value, bytes.data() + offset, sizeof(Value));
-  return value;
+  return read_little_endian<Value>(bytes.data() + offset);
 }
 
 TEST(NpyEventLog, StartsWithAHeaderOfVersionOne) {
@@ -155,6 +150,7 @@ TEST(NpyEventLog, GoesOnOnlyAfterItsOwnRecords) {
 // The run that wrote more than the position says was killed; the one that resumes finds the disk full, or is
 // killed, as soon as it has cut the file off.
 TEST(NpyEventLog, CountsNoMoreThanThereIsWhenItIsCutOff) {
+  if (!kIsPosix) GTEST_SKIP() << "files have no limit here";
   const ScratchFolder folder;
   constexpr std::size_t kKept = 5;
   EventLogPosition position;

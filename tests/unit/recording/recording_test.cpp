@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -854,6 +856,19 @@ TEST_F(RecordedBodies, TurnAsTheySpin) {
   EXPECT_NEAR(then.real, 0, 1e-15);
   EXPECT_NEAR(length(then.imaginary - std::sqrt(0.5) * Vec3{1, -1, 0}), 0, 1e-15);
   EXPECT_EQ(chunk.bodies_at(2)[0].orientation, once) << "that at the start of the path";
+}
+
+TEST(Orientations, HaveTheSameBitsOnAllMachines) {
+  std::uint64_t bits = 0;
+  for (int k = -40; k <= 40; ++k) {
+    const double angle = 0.37 * k;
+    const Orientation turned = Orientation().turned({0, 0, 2}, angle);
+    EXPECT_NEAR(turned.imaginary.z, std::sin(angle), 1e-15);
+    EXPECT_NEAR(turned.real, std::cos(angle), 1e-15);
+    bits = std::rotl(bits, 7) ^ std::bit_cast<std::uint64_t>(turned.imaginary.z) ^
+           std::rotl(std::bit_cast<std::uint64_t>(turned.real), 32);
+  }
+  EXPECT_EQ(bits, 0x229ded6a13e56f6bU);
 }
 
 TEST_F(RecordedBodies, OfSpheresThatDoNotSpinAreUpright) {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/little_endian.hpp"
 #include "hardball/io/zstd.hpp"
+#include "hardball/platform/little_endian.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
 #include "support/refusal.hpp"

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/little_endian.hpp"
 #include "hardball/io/zstd.hpp"
+#include "hardball/platform/little_endian.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
 #include "hardball/trajectory/trajectory.hpp"

@@ -506,7 +506,7 @@ class GsdChunks {
            const std::vector<Number>& numbers) {
     gsd::Entry entry{frame,   numbers.size() / columns,          kBegin + chunks_.size(),
                      columns, static_cast<std::uint16_t>(chunk), static_cast<std::uint8_t>(type)};
-    append_little_endian(entries_, entry);
+    gsd::append_entry(entries_, entry);
     for (const Number number : numbers) append_little_endian(chunks_, number);
   }
   void add(std::uint64_t frame, gsd::Chunk chunk, std::uint32_t columns, const std::vector<float>& numbers) {

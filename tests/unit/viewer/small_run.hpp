@@ -13,7 +13,7 @@
 #include "apps/viewer/page.hpp"
 #include "apps/viewer/shared_recording.hpp"
 #include "hardball/io/crc32.hpp"
-#include "hardball/io/little_endian.hpp"
+#include "hardball/platform/little_endian.hpp"
 #include "hardball/recording/recording_reader.hpp"
 #include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/simulation.hpp"
