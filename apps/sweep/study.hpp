@@ -30,7 +30,7 @@ struct Member {
   std::size_t number = 0;                ///< From 1, in the order in which members came into the directory.
   std::filesystem::path directory = {};  ///< Such as STUDY/0001.
   std::size_t point = 0;                 ///< The index of its combination of values.
-  std::vector<Setting> values;
+  std::vector<Setting> values = {};
   std::size_t replica = 1;  ///< From 1.
   std::uint64_t seed = 0;   ///< Below 2^48.
   double until = 0;         ///< When its run ends [T]; NaN if its scenario does not say so, or is refused.
