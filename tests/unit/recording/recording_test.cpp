@@ -927,8 +927,9 @@ Simulation record(const std::filesystem::path& path, Boundary boundary) {
 TEST(RecordedGrowth, HasSpheresTouchAtTheirContacts) {
   const ScratchFolder folder;
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
-    const Simulation simulation = record(folder / "run.hbr", boundary);
-    RecordingReader reader(folder / "run.hbr");
+    const std::filesystem::path path = folder / (boundary == Boundary::wall ? "walls.hbr" : "periodic.hbr");
+    const Simulation simulation = record(path, boundary);
+    RecordingReader reader(path);
     EXPECT_EQ(reader.header().layout().version(), 4);
     EXPECT_TRUE(reader.header().has_growth);
     const Box& box = reader.header().box;
@@ -956,7 +957,6 @@ TEST(RecordedGrowth, HasSpheresTouchAtTheirContacts) {
     const RecordedChunk last = reader.read(reader.chunks().size() - 1);
     EXPECT_NEAR(last.scale_at(last.end) * reader.radii()[3], simulation.world().radius(3, simulation.now()),
                 1e-15);
-    std::filesystem::remove(folder / "run.hbr");
   }
 }
 
