@@ -23,7 +23,9 @@ class FileSizeLimit {
     const rlimit limit{bytes, before_.rlim_max};
     setrlimit(RLIMIT_FSIZE, &limit);
   }
-  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+  }
 #endif
   FileSizeLimit(const FileSizeLimit&) = delete;
 
