@@ -105,7 +105,8 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
     const Function<void(Slot)> visit = look_at;
     // A first contact is likely to be near: shorter intervals come first.
     const double speed = own_speed + moving->usual_speed();
-    const double shortest = moving->cell_edge() > 0 ? moving->cell_edge() / speed : kInfinity;
+    constexpr double kCells = 3;
+    const double shortest = moving->cell_edge() > 0 ? kCells * moving->cell_edge() / speed : kInfinity;
     double begin = interval.begin;
     do {
       const bool are_all_near = begin * speed > moving->extent();
