@@ -32,7 +32,7 @@ radius = 0.5
 placement = "fcc"
 temperature = 1.0
 [run]
-until = 8.0
+until = 16.0
 [output]
 event_log = true
 report = false
@@ -80,7 +80,7 @@ class Slurm(unittest.TestCase):
                 slurm("scancel", "--signal=TERM", job)
                 while slurm("squeue", "--noheader", "--jobs", job) and time.monotonic() < deadline:
                     time.sleep(0.1)
-                self.assertLess(json.loads((folder / "gas/summary.json").read_text())["time"], 8.0)
+                self.assertLess(json.loads((folder / "gas/summary.json").read_text())["time"], 16.0)
                 slurm("sbatch", "--wait", "job.sh")
             output = "".join(path.read_text() for path in folder.glob("slurm-*.out"))
             self.assertTrue((folder / "gas/summary.json").exists(), output)
