@@ -75,19 +75,6 @@ bool is_named(int file, const std::filesystem::path& path) {
 
 File::File(const std::filesystem::path& path, Access access) : descriptor_(open_descriptor(path, access)) {}
 
-File::~File() {
-  const int reason = errno;
-  close();
-  errno = reason;
-}
-
-File::File(File&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-File& File::operator=(File&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  return *this;
-}
-
 std::uint64_t File::names() const {
   struct stat status {};
   return fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) ? status.st_nlink : 0;
@@ -168,9 +155,6 @@ LockFile::~LockFile() {
   unlink(path_.c_str());
   close(static_cast<int>(file_));
 }
-
-LockFile::LockFile(LockFile&& other) noexcept
-    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), state_(other.state_) {}
 
 std::vector<int> available_processors() {
   std::vector<int> processors;

@@ -102,19 +102,6 @@ std::string narrow(const wchar_t* text) {
 
 File::File(const std::filesystem::path& path, Access access) : descriptor_(open_descriptor(path, access)) {}
 
-File::~File() {
-  const int reason = errno;
-  close();
-  errno = reason;
-}
-
-File::File(File&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-File& File::operator=(File&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  return *this;
-}
-
 std::uint64_t File::names() const {
   BY_HANDLE_FILE_INFORMATION information{};
   const HANDLE handle = handle_of(descriptor_);
@@ -206,9 +193,6 @@ LockFile::LockFile(const std::filesystem::path& path) : path_(path) {
 LockFile::~LockFile() {
   if (file_ != -1) CloseHandle(reinterpret_cast<HANDLE>(file_));
 }
-
-LockFile::LockFile(LockFile&& other) noexcept
-    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), state_(other.state_) {}
 
 std::vector<int> available_processors() {
   return {};

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
-#include <span>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
@@ -82,7 +81,6 @@ class HARDBALL_EXPORT MovingSpheres {
 
   void assign_layers(const World& world);
   void choose_cells(const Box& box);
-  void divide(Layer& layer) const;
   void sort_by_cells();
   void copy_sorted(const World& world);
   static std::uint32_t cell_of(const Layer& layer, const Vec3& center);

@@ -69,6 +69,8 @@ class ReplicaExchange:
         :param every: the time between two swaps [T].
         :param rate: how often the thermostat gives each sphere a new velocity [1/T].
         :param seed: the seed of swaps and thermostats.
+
+        Error: temperatures that are not positive and ascending; an interval that is not positive.
         """
         if not isinstance(simulation, Simulation):
             raise ArgumentError("simulation is a " + type(simulation).__name__ + "; give a Simulation")
@@ -148,6 +150,8 @@ class ReplicaExchange:
         :param observe: called with the replica at each temperature before each swap; it returns a number, or an array.
         :param executor: a concurrent.futures.Executor, of threads or processes; if not given, as many threads as the
             machine has cores.
+
+        Error: `until` is earlier than the time that has been reached.
         """
         until = not_negative(until, "until")
         if until < self.time:
