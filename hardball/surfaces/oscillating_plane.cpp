@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hardball/geometry/safe_step.hpp"
 #include "hardball/surfaces/sine.hpp"
 
 namespace hardball {
@@ -27,15 +28,6 @@ Polynomial from(const Polynomial& p, double t) {
   return shifted;
 }
 
-// A time in which a gap of this width, which opens with `speed`, cannot close while its curvature is no less
-// than -`curvature`.
-double time_to_close(double width, double speed, double curvature) {
-  if (width <= 0) return curvature > 0 ? speed / curvature : kForever;  // closed, but it opens until then
-  if (!(curvature > 0)) return speed < 0 ? width / -speed : kForever;
-  const double root = std::sqrt(speed * speed + 2 * curvature * width);
-  return speed < 0 ? 2 * width / (root - speed) : (root + speed) / curvature;
-}
-
 }  // namespace
 
 OscillatingPlane::Gap OscillatingPlane::gap_at(const Flight& flight, double t) const {
@@ -50,20 +42,11 @@ OscillatingPlane::Gap OscillatingPlane::gap_at(const Flight& flight, double t) c
 
 double OscillatingPlane::safe_step(const Flight& flight, const Gap& gap) const {
   constexpr double kRoundedUp = 1 + 0x1p-40;
-  constexpr double kRoundedDown = 1 - 0x1p-40;
   const double turning = kTurn * frequency_;
   const double acceleration = amplitude_ * turning * turning * kRoundedUp;
-  const double curvature = std::fabs(2 * flight.rest.coefficients[2].high) + acceleration;
-  double step = time_to_close(gap.width, gap.opening_speed, curvature);
-  // The curvature does not change at once, and where it is small or positive, longer steps are safe.
-  while (step < 1 / frequency_) {
-    const double window = 2 * step;
-    const double least = gap.curvature - acceleration * turning * window - (kRoundedUp - 1) * curvature;
-    const double longer = time_to_close(gap.width, gap.opening_speed, -least);
-    if (!(longer > window)) return kRoundedDown * std::max(step, longer);
-    step = window;
-  }
-  return kRoundedDown * step;
+  const double most = std::fabs(2 * flight.rest.coefficients[2].high) + acceleration;
+  return safe_step_of_smooth_gap(gap.width, gap.opening_speed, gap.curvature, most, acceleration * turning,
+                                 1 / frequency_);
 }
 
 bool OscillatingPlane::is_met(const Flight& flight, const Polynomial& room, double& t) const {
