@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -121,6 +122,19 @@ class ArchiveReader {
     std::uint8_t kind = 0;
     ((index == kind++ ? read(value.template emplace<Kinds>(blank<Kinds>())) : void()), ...);
   }
+  template <class T>
+  void read(std::shared_ptr<const T>& value) {
+    std::uint64_t number = 0;
+    read(number);
+    require(number <= shared_.size());
+    if (number == shared_.size()) {
+      const auto made = std::make_shared<T>(blank<T>());
+      shared_.push_back({&kTagOf<T>, made});
+      read(*made);
+    }
+    require(shared_[number].tag == &kTagOf<T>);
+    value = std::static_pointer_cast<const T>(shared_[number].object);
+  }
   template <class Key, class T>
   void read(std::unordered_map<Key, T>& values) {
     values.clear();
@@ -143,7 +157,16 @@ class ArchiveReader {
     }
   }
 
+  // What several share, by the order in which it came.
+  struct Shared {
+    const char* tag;  // of its type
+    std::shared_ptr<const void> object;
+  };
+  template <class T>
+  static constexpr char kTagOf = 0;
+
   std::string_view bytes_;
+  std::vector<Shared> shared_;
   std::string where_;
   std::uint32_t version_ = ArchiveWriter::kVersion;
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -91,6 +92,13 @@ class ArchiveWriter {
     write(static_cast<std::uint8_t>(value.index()));
     std::visit([this](const auto& kind) { write(kind); }, value);
   }
+  // What several share is written once, where it comes first; then its number stands for it.
+  template <class T>
+  void write(const std::shared_ptr<const T>& value) {
+    const auto [found, is_new] = shared_.try_emplace(value.get(), shared_.size());
+    write(static_cast<std::uint64_t>(found->second));
+    if (is_new) write(*value);
+  }
   // In the order of keys, so that equal maps are equal bytes.
   template <class Key, class T>
   void write(const std::unordered_map<Key, T>& values) {
@@ -102,6 +110,7 @@ class ArchiveWriter {
   }
 
   std::string bytes_;
+  std::map<const void*, std::size_t> shared_;
 };
 
 }  // namespace hardball

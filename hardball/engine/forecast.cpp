@@ -19,7 +19,7 @@ void Forecast::rebuild(const Time& now, const Progress& progress) {
   is_cached_ = world_.size() <= phase_->cached_spheres();
   are_alike_ = world_.are_alike();
   has_walls_ = world_.box().is_any(Boundary::wall) || !world_.other_surfaces().empty();
-  has_obstacles_ = !world_.obstacles().is_empty();
+  has_solids_ = world_.has_solids();
   note_exclusions();
   for (Slot slot = 0; slot < world_.size(); ++slot) {
     progress.record(slot, world_.size());

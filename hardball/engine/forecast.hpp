@@ -370,12 +370,12 @@ class Forecast {
     plan_crossing(slot);
   }
 
-  // Plans the contact with an obstacle, if one comes first before the sphere crosses: then this is done
+  // Plans the contact with a solid, if one comes first before the sphere crosses: then this is done
   // again.
-  void plan_obstacle(Slot slot) {
+  void plan_solid(Slot slot) {
     Plan& own = mutable_plan(slot);
     const double first = own.is_bound() ? own.safe_until() : own.contact();
-    const Event met = next_obstacle_event(world_, slot, now_, std::min(first, own.crossing()));
+    const Event met = next_solid_event(world_, slot, now_, std::min(first, own.crossing()));
     if (!met.happens()) return;
     if (own.is_bound() ? met.time.high < own.contact() : met < contact_of(slot)) {
       own.set_wall(met.time, met.second);
@@ -388,8 +388,8 @@ class Forecast {
     phase_.visit([&](auto& phase) {
       mutable_plan(slot).set_crossing(phase.next_crossing(world_, slot, now_, compact_));
     });
-    if (has_obstacles_) [[unlikely]]
-      plan_obstacle(slot);
+    if (has_solids_) [[unlikely]]
+      plan_solid(slot);
     if (uses_minimum_image_) expire(slot);
   }
 
@@ -441,7 +441,7 @@ class Forecast {
   bool is_cached_ = true;  // prefetching all data ahead does not pay
   bool are_alike_ = true;  // all spheres, in radius and mass
   bool has_walls_ = false;
-  bool has_obstacles_ = false;  // at rest
+  bool has_solids_ = false;  // obstacles at rest, meshes
   bool has_passing_pairs_ = false;
   bool has_steps_ = false;            // of potentials
   bool are_steps_bounded_ = false;    // no farther than candidates are apart

@@ -51,14 +51,16 @@ double speeds_of(const Contact& contact) {
 
 void undo_approach_to_surface(const World& world, Contact& contact, double base_radius) {
   const Surface& surface = world.surface(contact.second);
-  const Vec3 image = nearest_image_of(world, surface, contact.position);
+  const Vec3 image = surface.mesh() ? world.box().shift(contact.image)
+                                    : nearest_image_of(world.box(), surface, contact.position);
   const Vec3 settled = contact.after.first;
   double excess = dot(settled - contact.before.second, contact.wall_normal) + contact.growth;
   if (excess > kRounding * speeds_of(contact) + kSmallestMagnitude) refuse_approach(contact);
   excess = std::max(excess, 0x1p-60 * speeds_of(contact));
   const auto approaches = [&] {
     return surface.is_approached(world.motion(),
-                                 {contact.position - image, contact.after.first, contact.time}, base_radius);
+                                 {contact.position - image, contact.after.first, contact.time}, base_radius,
+                                 contact.feature);
   };
   while (approaches()) {
     contact.after.first = settled - excess * contact.wall_normal;
@@ -126,8 +128,10 @@ void describe_growth(const Growth& growth, Contact& contact) {
   contact.second_radius *= scale;
 }
 
-// Sets what a contact says of its wall, and the wall's velocity. Precondition: time and position are set.
-void describe_wall(const World& world, std::uint32_t wall, Contact& contact, Vec3& velocity) {
+// Sets what a contact says of its wall, and the wall's velocity. Preconditions: time and position are set;
+// the sphere of this base radius was on `path`, and its position has been folded back by so many boxes.
+void describe_wall(const World& world, std::uint32_t wall, const Path& path, double radius,
+                   const Image& folded, Contact& contact, Vec3& velocity) {
   if (wall < kFaces) {
     const std::size_t axis = axis_of(wall);
     contact.wall_normal = {};
@@ -139,11 +143,21 @@ void describe_wall(const World& world, std::uint32_t wall, Contact& contact, Vec
     velocity = face.velocity;
   } else {
     const Surface& surface = world.surface(wall);
-    const Vec3 position = contact.position - nearest_image_of(world, surface, contact.position);
-    contact.wall_normal = surface.direction(position, contact.time);
-    contact.separation = surface.distance(position, contact.time) * contact.wall_normal;
-    contact.wall_material = surface.material();
     velocity = surface.velocity_at(contact.time);
+    if (surface.mesh()) {
+      const MeshTouch touch = touch_of_mesh(world, wall, path, radius, contact.time);
+      const double distance = length(touch.towards);
+      contact.image = touch.image - folded;
+      contact.feature = touch.feature;
+      contact.wall_normal = (1 / distance) * touch.towards;
+      contact.separation = touch.towards - surface.mesh()->thickness() * contact.wall_normal;
+      contact.wall_material = surface.material_of(touch.feature);
+    } else {
+      const Vec3 position = contact.position - nearest_image_of(world.box(), surface, contact.position);
+      contact.wall_normal = surface.direction(position, contact.time);
+      contact.separation = surface.distance(position, contact.time) * contact.wall_normal;
+      contact.wall_material = surface.material();
+    }
   }
   contact.wall_material.is_flat = world.box().is_flat();
   contact.pressing = dot(world.motion().gravity(), contact.wall_normal);
@@ -192,6 +206,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
     before = {velocity, second_velocity};
   } else {
     contact.image = {};
+    contact.feature = 0;
     contact.image_speed = 0;
     contact.second_position = {};
     contact.second_radius = 0;
@@ -199,7 +214,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.second_mass = std::numeric_limits<double>::infinity();
     contact.second_since = Time(-std::numeric_limits<double>::infinity());
     before = {velocity, {}};
-    describe_wall(world, event.second, contact, before.second);
+    describe_wall(world, event.second, path, radius, done.folded[0], contact, before.second);
   }
   contact.growth = 0;
   if (world.motion().has_growth()) [[unlikely]]

@@ -57,7 +57,7 @@ double first_closing(double begin, double end, GapAt&& gap_at) {
   constexpr double kShortened = 1 - 1e-12;
   constexpr double kForever = std::numeric_limits<double>::infinity();
   double t = begin;
-  while (t <= end) {
+  while (t <= end && t < kForever) {
     const Gap gap = gap_at(t);
     if (gap.width <= 0 && gap.speed < 0) return t;
     const double next = t + kShortened * safe_step(gap);

@@ -53,7 +53,10 @@ struct Contact {
   EventKind kind = EventKind::collision;  ///< collision or wall
   SphereId first = 0;                     ///< The sphere; of a collision, the one with the lower id.
   std::uint32_t second = 0;               ///< The id of the other sphere, or the number of the wall.
-  Image image;    ///< The image of the second sphere that was met, both being folded into the box.
+  /// The image of the second sphere, or of a mesh, that was met, the spheres being folded into the box.
+  Image image;
+  /// Wall: the face, edge or vertex of a mesh that was met, see Mesh; zero of other walls.
+  std::uint32_t feature = 0;
   Vec3 position;  ///< Center of the first sphere, folded into the box [L].
   /// Collision: center of the second sphere, folded into the box [L]. Wall: zero.
   Vec3 second_position;

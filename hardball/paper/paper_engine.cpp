@@ -290,7 +290,7 @@ void PaperEngine::predict_all(Slot slot) {
   predict_collisions(slot, records_[slot].subspaces);
   predict_pairs(slot);
   const Event wall = next_wall_event(world_, slot, now_);
-  add_candidate(std::min(wall, next_obstacle_event(world_, slot, now_, wall.time.high)));
+  add_candidate(std::min(wall, next_solid_event(world_, slot, now_, wall.time.high)));
   predict_crossings(slot);
 }
 

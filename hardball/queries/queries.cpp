@@ -63,7 +63,7 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
   };
   record_wall(next_wall_event(world, id, path, radius, now));
   const double half = 0.5 * box.shortest_period();
-  const bool has_obstacles = has_images_of_obstacles(world);
+  const bool has_obstacles = has_images_of_solids(world);
   const auto stride_to_obstacles = [&](double begin) {
     if (!has_obstacles) return kInfinity;
     const double gravity = length(motion.gravity());
@@ -71,7 +71,7 @@ std::optional<NextContact> first_contact_on(const SphereSearch& search, SphereId
   };
   search_in_intervals(stride_to_obstacles, end, [&](const Interval& during) {
     record_wall(
-        next_obstacle_event(world, id, path, radius, after(now, during.begin), after(now, during.end).high));
+        next_solid_event(world, id, path, radius, after(now, during.begin), after(now, during.end).high));
   });
 
   const bool some_pass = has_passing_pairs(world) || id == kNoSphere;
@@ -166,12 +166,25 @@ void for_each_wall_hit(const World& world, const Time& now, const Path& path, co
   const auto record_if_near = [&](double distance, std::uint32_t number) {
     if (distance <= latest) record(distance, number, Vec3{});
   };
+  const auto record_mesh = [&](std::uint32_t number, const Surface& mesh) {
+    const double end = std::min(during.end, latest);
+    const auto [contact, image] =
+        first_contact_with_mesh(box, Motion(), mesh, path, 0, Time(during.begin), end);
+    const double distance = contact.time.high;
+    if (!(distance <= end)) return;
+    // Where the ray is still off the surface.
+    const double before = distance - 0x1p-20 * (distance + mesh.mesh()->mesh().largest_coordinate());
+    const Path passing{path.position - box.shift(image), path.velocity, path.time};
+    const Vec3 towards = mesh.towards_feature(Motion(), passing, 0, Time(before), contact.feature);
+    record(distance, number, distance * path.velocity + (1 / length(towards)) * towards);
+  };
   for_each_face(box, [&](std::size_t axis, bool upper) {
     const double approach = upper ? path.velocity[axis] : -path.velocity[axis];
     record_if_near(time_to_plane(distance_to_face(box, path.position, axis, upper), approach),
                    face_of(axis, upper));
   });
   for_each_surface(world, now, [&](std::uint32_t number, const Surface& surface) {
+    if (surface.mesh()) return record_mesh(number, surface);
     const auto* obstacle = std::get_if<Obstacle>(&surface.shape());
     if (obstacle == nullptr) return record_if_near(surface.contact_time(Motion(), path, 0).high, number);
     const Relative other{surface.point() - path.position, -path.velocity, obstacle->radius()};
@@ -278,8 +291,8 @@ std::optional<Clearance> clearance_of(const SphereSearch& search, const Time& no
       note_nearer({distance, EventKind::wall, face_of(axis, upper)}, nearest);
     });
     for_each_surface(world, now, [&](std::uint32_t number, const Surface& surface) {
-      const Vec3 image = nearest_image_of(world, surface, center);
-      note_nearer({surface.distance(center - image, now) - radius, EventKind::wall, number}, nearest);
+      const double distance = distance_to_surface(box, surface, center, now) - radius;
+      note_nearer({distance, EventKind::wall, number}, nearest);
     });
     if (nearest) least = nearest->distance;
   }

@@ -39,6 +39,22 @@ Json json_runs(const std::vector<SpeciesId>& species) {
   return runs;
 }
 
+// The coordinates of all vertices, and the vertices of all triangles, one after another.
+Json json_mesh(const MeshShape& shape) {
+  Json json;
+  Json& vertices = json["vertices"] = Json::array();
+  for (const Vec3& vertex : shape.mesh().vertices()) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) vertices.push_back(vertex[axis]);
+  }
+  Json& triangles = json["triangles"] = Json::array();
+  for (const Mesh::Triangle& corners : shape.mesh().triangles()) {
+    for (const std::uint32_t corner : corners) triangles.push_back(corner);
+  }
+  json["spheres"] = name_of(shape.spheres());
+  json["thickness"] = shape.thickness();
+  return json;
+}
+
 // Every surface has a direction and a radius, used or not, and what else describes its shape. One without a
 // restitution of its own has that of the response.
 Json json_surface(const Surface& surface, double restitution) {
@@ -58,6 +74,7 @@ Json json_surface(const Surface& surface, double restitution) {
         });
       },
       shape);
+  if (surface.mesh()) others = json_mesh(*surface.mesh());
   const auto* const moving = std::get_if<OscillatingPlane>(&surface.shape());
   const SurfaceMaterial& material = surface.material();
   json["point"] = json_vector(surface.point());
@@ -188,16 +205,47 @@ class HeaderReader {
     }
   }
 
+  MeshShape mesh(const Json& value) const {
+    const Json& coordinates = member(value, "vertices");
+    const Json& corners = member(value, "triangles");
+    if (!coordinates.is_array() || coordinates.size() % 3 != 0 || !corners.is_array() ||
+        corners.size() % 3 != 0)
+      fail("the vertices or the triangles of a mesh are not a list of threes");
+    MeshParts parts;
+    for (std::size_t i = 0; i < coordinates.size(); i += 3)
+      parts.vertices.push_back(
+          {number(coordinates[i]), number(coordinates[i + 1]), number(coordinates[i + 2])});
+    const auto corner = [&](std::size_t i) {
+      return static_cast<std::uint32_t>(
+          count(corners[i], "corner of a triangle", static_cast<double>(parts.vertices.size()) - 1));
+    };
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+      parts.triangles.push_back({corner(i), corner(i + 1), corner(i + 2)});
+    const auto side = find_named<MeshSide>(text(member(value, "spheres"), "side of a mesh"));
+    if (!side) fail("the side of a mesh is unknown");
+    try {
+      return MeshShape(std::make_shared<const Mesh>(std::move(parts)), *side,
+                       number(member(value, "thickness")));
+    } catch (const Error& error) {
+      fail(error.problem());
+    }
+  }
+
   Surface surface(const Json& value) const {
     const Json& name = member(value, "shape");
     const Vec3 point = vector(member(value, "point"));
-    std::optional<Shape> shape = from_description<Shape>(
-        name.is_string() ? name.get<std::string>() : "", [&]<class Get>(const Field<Get>& field) {
-          if constexpr (std::is_same_v<typename Field<Get>::Value, Vec3>)
-            return vector(member(value, "direction"));
-          else
-            return number(member(value, std::string(field.name).c_str()));
-        });
+    std::optional<Shape> shape;
+    if (name == MeshShape::kName) {
+      shape = mesh(value);
+    } else {
+      shape = from_description<Shape>(name.is_string() ? name.get<std::string>() : "",
+                                      [&]<class Get>(const Field<Get>& field) {
+                                        if constexpr (std::is_same_v<typename Field<Get>::Value, Vec3>)
+                                          return vector(member(value, "direction"));
+                                        else
+                                          return number(member(value, std::string(field.name).c_str()));
+                                      });
+    }
     if (!shape) fail("a shape is unknown");
     Vec3 velocity;
     double amplitude = 0;

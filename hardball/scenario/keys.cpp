@@ -446,6 +446,46 @@ void for_each_shape_of_walls(const auto& visit) {
   });
 }
 
+// What only walls have that are meshes; capsules have a radius instead of a thickness.
+std::vector<KeyDescription> mesh_keys() {
+  const auto& [mesh, box, capsule, plate] = kMeshShapes;
+  TableDescription groups{
+      .title = "groups", .keys = {required("name", text(), "the name of the group in the file", "\"belt\"")}};
+  for (const KeyDescription& key : surface_keys()) groups.keys.push_back(key);
+  return {
+      only_for({mesh},
+               required("file", text(),
+                        "a file of triangles, `.stl`, `.obj` or `.ply`; its path is relative to the scenario",
+                        "\"hopper.stl\"")),
+      only_for({box}, required("size", vector("L"), "its edges, along the axes before it is turned",
+                               "[2.0, 2.0, 1.0]")),
+      only_for({capsule},
+               required("end", vector("L"), "the vector from the center of one of its ends to the other",
+                        "[0.0, 0.0, 3.0]")),
+      only_for({plate},
+               required("edges", vectors("L"), "the vectors from one of its corners to the next ones",
+                        "[[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]")),
+      only_for({mesh}, key("scale", number(positive), "by which all lengths of the file are multiplied",
+                           "0.001", "1.0")),
+      only_for({mesh, box},
+               key("rotation", vector(""),
+                   "turned about its origin, around this vector, by as many degrees as it is long",
+                   "[90.0, 0.0, 0.0]", "[0.0, 0.0, 0.0]")),
+      only_for({mesh, box},
+               key("spheres", choice(names_until(MeshSide::outside)),
+                   "where spheres are placed and stay; a mesh has an inside if it is closed. If not "
+                   "given, outside a box, and on both sides of a mesh",
+                   "\"inside\"")),
+      only_for({mesh, box, plate},
+               key("thickness", number(not_negative, "L"),
+                   "spheres touch it from this distance on, so that its edges are round", "0.1", "0.0")),
+      only_for({mesh}, key("weld", number(fraction),
+                           "vertices that are closer than this fraction of the median edge are made one",
+                           "1e-6", "0.0")),
+      only_for({mesh}, key("groups", tables(groups), "how groups of its triangles reflect spheres")),
+  };
+}
+
 TableDescription walls_keys() {
   Names shapes;
   std::vector<std::string> points;
@@ -455,12 +495,20 @@ TableDescription walls_keys() {
     points.emplace_back(S::kPoint);
     if (!std::is_same_v<S, Plane>) around.push_back("a " + std::string(S::kName));
   });
+  shapes.insert(shapes.end(), kMeshShapes.begin(), kMeshShapes.end());
+  for (const char* const point : {"the origin of the file of a mesh", "the center of the box",
+                                  "the center of one end of the capsule", "a corner of the plate"})
+    points.emplace_back(point);
   std::vector<KeyDescription> keys{
       required("shape", choice(shapes), "its shape; the spheres are inside " + enumerated(around, " or "),
                "\"plane\""),
       required("point", vector("L"), enumerated(points, ", or "), "[5.0, 5.0, 5.0]")};
   for (const KeyDescription& key : keys_of_kinds([](const auto& visit) { for_each_shape_of_walls(visit); }))
     keys.push_back(key);
+  for (KeyDescription& key : keys) {
+    if (key.name == "radius") key.only_for.push_back(kMeshShapes[2]);
+  }
+  for (const KeyDescription& key : mesh_keys()) keys.push_back(key);
   keys.push_back(
       key("velocity", vector("L/T"), "its constant velocity", "[0.0, 0.0, 0.1]", "[0.0, 0.0, 0.0]"));
   for_each_field<OscillatingPlane>([&](const auto& field) {
@@ -477,6 +525,9 @@ std::string walls_meaning() {
   std::vector<std::string> shapes;
   for_each_shape_of_walls(
       [&]<class S>(std::type_identity<S>) { shapes.push_back(std::string(S::kName) + "s"); });
+  for (const std::string_view shape : kMeshShapes) {
+    shapes.push_back(std::string(shape) + (shape.ends_with("sh") || shape.ends_with('x') ? "es" : "s"));
+  }
   return "walls besides those of the box: " + enumerated(shapes, " and ");
 }
 

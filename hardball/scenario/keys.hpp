@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -11,6 +12,9 @@
 #include "hardball/describe/field.hpp"
 
 namespace hardball {
+
+/// The shapes of walls that are meshes: of a file, or of a few triangles.
+inline constexpr std::array<std::string_view, 4> kMeshShapes{"mesh", "box", "capsule", "plate"};
 
 /// What a value is.
 enum class ValueType {

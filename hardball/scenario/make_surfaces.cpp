@@ -14,7 +14,9 @@ std::vector<Surface> make_surfaces(const Scenario& scenario, const Box& box) {
   for (const auto& [described, where] : scenario.surfaces) {
     SurfaceMaterial material = described.material();
     material.seed = scenario.run.seed;
-    const Surface surface(described.shape(), described.point(), described.velocity(), material);
+    Shape shape = described.shape();
+    if (auto* const mesh = std::get_if<MeshShape>(&shape)) mesh->set_seed(scenario.run.seed);
+    const Surface surface(shape, described.point(), described.velocity(), material);
     try {
       static_cast<void>(World(box, {}, {surface}));
     } catch (const Error& error) {

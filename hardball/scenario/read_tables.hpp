@@ -31,9 +31,11 @@ Vec3 direction_of(const Value& value, std::string_view key, std::size_t dimensio
 /// another or is out of range.
 std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensions);
 
-/// What the tables [[walls]] and [[obstacles]] of a scenario describe, one surface for each position. Error,
-/// with the location of the value: a key is missing, contradicts another or is out of range.
-std::vector<SurfaceDescription> read_surfaces(const Section& root, std::size_t dimensions);
+/// What the tables [[walls]] and [[obstacles]] of a scenario describe, one surface for each position; files
+/// are named relative to `folder`. Error, with the location of the value: a key is missing, contradicts
+/// another or is out of range; a mesh cannot be read.
+std::vector<SurfaceDescription> read_surfaces(const Section& root, const std::filesystem::path& folder,
+                                              std::size_t dimensions);
 
 // --- read_spheres.cpp ---
 

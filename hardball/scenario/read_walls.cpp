@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <variant>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/meshes/read_mesh.hpp"
+#include "hardball/scenario/keys.hpp"
+#include "hardball/surfaces/make_mesh.hpp"
 
 namespace hardball {
 namespace {
@@ -39,12 +43,58 @@ SurfaceDescription described(const Shape& shape, const Vec3& point, const Vec3& 
   return made_at(where, [&] { return SurfaceDescription{Surface(shape, point, velocity, material), where}; });
 }
 
-SurfaceDescription read_wall(const Section& section, std::size_t dimensions) {
+// The triangles of a wall that is a mesh of some shape.
+MeshParts read_parts(const Section& section, std::string_view shape, const std::filesystem::path& folder) {
+  if (shape == kMeshShapes[0]) return read_mesh(folder / section.need("file").text());
+  if (shape == kMeshShapes[1]) return box_mesh(section.need("size").vector(kAxes));
+  if (shape == kMeshShapes[2]) return segment_mesh(section.need("end").vector(kAxes));
+  const Value edges = section.need("edges");
+  const std::vector<Vec3> both = edges.vectors(kAxes);
+  if (both.size() != 2) edges.wrong_length(both.size(), "give two vectors, from a corner to the next ones");
+  return plate_mesh(both[0], both[1]);
+}
+
+// Errors name the location of the wall.
+MeshShape read_mesh_shape(const Section& section, std::string_view shape,
+                          const std::filesystem::path& folder) {
+  const bool is_file = shape == kMeshShapes[0];
+  const bool is_box = shape == kMeshShapes[1];
+  const bool is_capsule = shape == kMeshShapes[2];
+  const auto number = [&](const char* key, bool is_known, double if_not_given) {
+    const auto given = is_known ? section.find(key) : std::nullopt;
+    return given ? given->number() : if_not_given;
+  };
+  const double scale = number("scale", is_file, 1);
+  const double weld = number("weld", is_file, 0);
+  const double thickness = is_capsule ? section.need("radius").number() : number("thickness", true, 0);
+  Vec3 rotation;
+  MeshSide spheres = is_box ? MeshSide::outside : MeshSide::both;
+  if (is_file || is_box) {
+    if (const auto given = section.find("rotation")) rotation = given->vector(kAxes);
+    if (const auto given = section.find("spheres")) spheres = static_cast<MeshSide>(given->choice());
+  }
+  const MeshParts parts = read_parts(section, shape, folder);
+  return made_at(section.location(), [&] {
+    const auto mesh = std::make_shared<const Mesh>(transformed(parts, scale, rotation), weld);
+    MeshShape made(mesh, spheres, thickness);
+    if (!is_file) return made;
+    for (const Section& group : section.sections("groups"))
+      made.set_group_material(group.need("name").text(), read_material(group));
+    return made;
+  });
+}
+
+SurfaceDescription read_wall(const Section& section, const std::filesystem::path& folder,
+                             std::size_t dimensions) {
   const Value name = section.need("shape");
   static_cast<void>(name.choice());
   const Vec3 point = section.need("point").vector(dimensions);
-  Shape shape = *from_description<Shape>(
-      name.text(), [&](const auto& field) { return read_field(section, field, dimensions); });
+  const std::string kind = name.text();
+  const bool is_mesh = std::ranges::find(kMeshShapes, kind) != kMeshShapes.end();
+  Shape shape = is_mesh ? Shape(read_mesh_shape(section, kind, folder))
+                        : *from_description<Shape>(kind, [&](const auto& field) {
+                            return read_field(section, field, dimensions);
+                          });
   const SurfaceMaterial material = read_material(section);
   Vec3 velocity;
   if (const auto given = section.find("velocity")) velocity = given->vector(dimensions);
@@ -84,9 +134,11 @@ std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensio
   return faces;
 }
 
-std::vector<SurfaceDescription> read_surfaces(const Section& root, std::size_t dimensions) {
+std::vector<SurfaceDescription> read_surfaces(const Section& root, const std::filesystem::path& folder,
+                                              std::size_t dimensions) {
   std::vector<SurfaceDescription> surfaces;
-  for (const Section& section : root.sections("walls")) surfaces.push_back(read_wall(section, dimensions));
+  for (const Section& section : root.sections("walls"))
+    surfaces.push_back(read_wall(section, folder, dimensions));
   for (const Section& section : root.sections("obstacles")) {
     const Obstacle obstacle(section.need("radius").number());
     const SurfaceMaterial material = read_material(section);

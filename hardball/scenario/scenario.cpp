@@ -225,7 +225,8 @@ Scenario read_scenario(const Document& document) {
   scenario.species = read_species(root);
   read_start(root, scenario);
   scenario.faces = read_faces(*box, scenario.dimensions());
-  scenario.surfaces = read_surfaces(root, scenario.dimensions());
+  scenario.surfaces =
+      read_surfaces(root, std::filesystem::path(scenario.name).parent_path(), scenario.dimensions());
   check_packing_fractions(root, scenario);
   read_response(root, scenario);
   read_potentials(root, scenario);

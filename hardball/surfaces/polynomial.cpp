@@ -142,8 +142,17 @@ Polynomial Polynomial::derivative() const {
   return derivative;
 }
 
-double earliest_descent(const Polynomial& p) {
-  if (p.degree() <= 2) return earliest_descent_of_line_or_parabola(p);
+Descents descents(const Polynomial& p) {
+  Descents found;
+  const auto add = [&](double begin, double end) {
+    if (begin < end) found.intervals[found.count++] = {begin, end};
+  };
+  if (p.degree() <= 2) {
+    const double half_curvature = sign_of(p.coefficients[2]);
+    const double turn = half_curvature > 0 ? -sign_of(p.coefficients[1]) / (2 * half_curvature) : kNoDescent;
+    add(earliest_descent_of_line_or_parabola(p), turn);
+    return found;
+  }
   const Polynomial slope = p.derivative();
   const Points turns = sign_changes(slope);
   double begin = 0;
@@ -151,15 +160,25 @@ double earliest_descent(const Polynomial& p) {
   for (std::size_t i = 0; i <= turns.count; ++i) {
     const bool is_last = i == turns.count;
     if (descends) {
-      if (!(sign_of(p(begin)) > 0)) return begin;
-      const double end = is_last ? beyond(p, begin, false) : turns.at[i];
-      if (!(sign_of(p(end)) > 0)) return sign_change(p, begin, end);
+      const double turn = is_last ? kNoDescent : turns.at[i];
+      if (!(sign_of(p(begin)) > 0)) {
+        add(begin, turn);
+      } else {
+        const double end = is_last ? beyond(p, begin, false) : turn;
+        if (!(sign_of(p(end)) > 0)) add(sign_change(p, begin, end), turn);
+      }
     }
     if (is_last) break;
     begin = turns.at[i];
     descends = !(sign_of(slope(begin)) > 0);
   }
-  return kNoDescent;
+  return found;
+}
+
+double earliest_descent(const Polynomial& p) {
+  if (p.degree() <= 2) return earliest_descent_of_line_or_parabola(p);
+  const Descents found = descents(p);
+  return found.count > 0 ? found.intervals[0].begin : kNoDescent;
 }
 
 }  // namespace hardball

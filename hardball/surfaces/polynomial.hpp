@@ -23,6 +23,22 @@ struct HARDBALL_EXPORT Polynomial {
   Polynomial derivative() const;
 };
 
+/// The intervals of t >= 0 in which a polynomial is not positive and decreases, in order: two at most.
+struct Descents {
+  struct Interval {
+    double begin;
+    double end;  ///< Infinite if it decreases forever.
+  };
+  std::array<Interval, 2> intervals{};
+  std::size_t count = 0;
+
+  const Interval* begin() const { return intervals.data(); }
+  const Interval* end() const { return intervals.data() + count; }
+};
+
+/// Where a gap is closed and closes. The begins are as precise as earliest_descent, which is the first.
+HARDBALL_EXPORT Descents descents(const Polynomial& polynomial);
+
 /// The earliest t >= 0 at which the polynomial is not positive and decreases; infinity if there is none.
 ///
 /// So a gap that is closed and still closing gives zero; one that is closed but opens, the time at which it

@@ -25,8 +25,10 @@ void check_value(std::string_view name, double number) {
               "give a positive number");
 }
 
-DoubleDouble<> opening_speed(const auto& shape, const Passage& passage) {
-  if constexpr (requires { shape.opening_speed(passage); }) {
+DoubleDouble<> opening_speed(const auto& shape, const Passage& passage, std::uint32_t feature) {
+  if constexpr (requires { shape.opening_speed(passage, feature); }) {
+    return shape.opening_speed(passage, feature);
+  } else if constexpr (requires { shape.opening_speed(passage); }) {
     return shape.opening_speed(passage);
   } else {
     return shape.gap(passage).coefficients[1];
@@ -55,6 +57,11 @@ std::string_view Surface::name() const {
         return shape.kName;
       },
       shape_);
+}
+
+const SurfaceMaterial& Surface::material_of(std::uint32_t feature) const {
+  const SurfaceMaterial* const own = mesh() ? mesh()->material_of(feature) : nullptr;
+  return own ? *own : material_;
 }
 
 Shape oscillating(const Shape& plane, double amplitude, double frequency) {
@@ -145,10 +152,28 @@ Time Surface::contact_time(const Motion& motion, const Path& path, double radius
       shape_);
 }
 
-bool Surface::is_approached(const Motion& motion, const Path& path, double radius) const {
+SurfaceContact Surface::first_contact(const Motion& motion, const Path& path, double radius, const Time& now,
+                                      double until) const {
+  const Passage passage = passage_of(motion, path, radius);
+  // Differences of times are rounded.
+  constexpr double kRounding = 0x1p-50;
+  const double begin = std::max(0.0, (1 - kRounding) * duration(passage.start, now));
+  const double end = (1 + kRounding) * (until - rounded_down(passage.start));
+  const MeshContact found = mesh()->first_contact(passage, begin, std::max(begin, end));
+  return {after(passage.start, found.wait), found.feature};
+}
+
+Vec3 Surface::towards_feature(const Motion& motion, const Path& path, double radius, const Time& moment,
+                              std::uint32_t feature) const {
+  const Passage passage = passage_of(motion, path, radius);
+  return mesh()->towards(passage, duration(passage.start, moment), feature);
+}
+
+bool Surface::is_approached(const Motion& motion, const Path& path, double radius,
+                            std::uint32_t feature) const {
   const Passage passage = passage_of(motion, path, radius);
   const DoubleDouble<> speed =
-      std::visit([&](const auto& shape) { return opening_speed(shape, passage); }, shape_);
+      std::visit([&](const auto& shape) { return opening_speed(shape, passage, feature); }, shape_);
   return speed.high < 0 || (speed.high == 0 && speed.low < 0);
 }
 

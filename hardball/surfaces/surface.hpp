@@ -13,6 +13,7 @@
 #include "hardball/surfaces/cone.hpp"
 #include "hardball/surfaces/cylinder.hpp"
 #include "hardball/surfaces/hollow_sphere.hpp"
+#include "hardball/surfaces/mesh_shape.hpp"
 #include "hardball/surfaces/obstacle.hpp"
 #include "hardball/surfaces/oscillating_plane.hpp"
 #include "hardball/surfaces/own_shape.hpp"
@@ -26,15 +27,22 @@ namespace hardball {
 ///
 /// A shape has `kName`, `kMeaning` and `fields()`; `kPoint`, what its point is, if it is a wall;
 /// `gap(passage)`, a polynomial that is positive while a sphere does not touch it, or `contact_time(passage)`
-/// and `opening_speed(passage)`; `distance(position)` and `towards(position)`; `room()` and
-/// `remedy_for_period(axis)`; where they are known, `largest_sphere()`, `volume(box, point)` and `area(box)`;
-/// and if it moves by itself, `rest()`, `displacement_at(moment)` and `velocity_at(moment)`. Positions are
-/// relative to the surface's point.
-using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle, Cone, OwnShape>;
+/// and `opening_speed(passage)`, of a mesh with the feature that is touched; `distance(position)` and
+/// `towards(position)`; `room()` and `remedy_for_period(axis)`; where they are known, `largest_sphere()`,
+/// `volume(box, point)` and `area(box)`; and if it moves by itself, `rest()`, `displacement_at(moment)` and
+/// `velocity_at(moment)`. Positions are relative to the surface's point.
+using Shape =
+    std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle, Cone, OwnShape, MeshShape>;
 
 /// A plane that oscillates along its normal, with this amplitude [L] and frequency [1/T]; the plane itself if
 /// both are zero. Error: it is not a plane.
 HARDBALL_EXPORT Shape oscillating(const Shape& plane, double amplitude, double frequency);
+
+/// When a sphere touches a surface, and with which feature of a mesh (see Mesh); zero of other shapes.
+struct SurfaceContact {
+  Time time = kNever;
+  std::uint32_t feature = 0;
+};
 
 /// A wall or an obstacle that spheres bounce off: at rest, in uniform motion, or oscillating.
 class HARDBALL_EXPORT Surface {
@@ -48,6 +56,10 @@ class HARDBALL_EXPORT Surface {
   const Vec3& point() const { return point_; }
   const Vec3& velocity() const { return velocity_; }
   const SurfaceMaterial& material() const { return material_; }
+  /// The material of a feature, which a group of the triangles of a mesh may have for itself.
+  const SurfaceMaterial& material_of(std::uint32_t feature) const;
+  /// The shape, if the surface is a mesh; null if not.
+  const MeshShape* mesh() const { return std::get_if<MeshShape>(&shape_); }
   std::string_view name() const;
   /// The shape, of one that oscillates that at rest, for the words by which it is described.
   Shape shape_at_rest() const;
@@ -63,9 +75,17 @@ class HARDBALL_EXPORT Surface {
   /// When a sphere on `path` of this base radius first touches the surface while they approach, at the start
   /// of the path or of the epoch of its growth, or later; kNever if it never does. A function of these alone.
   Time contact_time(const Motion& motion, const Path& path, double radius) const;
-  /// Whether a sphere at the start of `path` approaches the surface: if not, and if it touches it, it does so
-  /// again only later.
-  bool is_approached(const Motion& motion, const Path& path, double radius) const;
+  /// The first contact with a mesh from `now` until another time [T], where none has come before; if there is
+  /// none until then, a later one or none. Precondition: mesh().
+  SurfaceContact first_contact(const Motion& motion, const Path& path, double radius, const Time& now,
+                               double until) const;
+  /// The vector from the center of a sphere on `path` to a feature of a mesh that it touches at `moment` [L].
+  /// Precondition: mesh().
+  Vec3 towards_feature(const Motion& motion, const Path& path, double radius, const Time& moment,
+                       std::uint32_t feature) const;
+  /// Whether a sphere at the start of `path` approaches the surface, or the feature of a mesh: if not, and if
+  /// it touches it, it does so again only later.
+  bool is_approached(const Motion& motion, const Path& path, double radius, std::uint32_t feature = 0) const;
   /// A time before which a sphere on `path` does not touch the surface [T], from where it is at `now`.
   double free_until(const Motion& motion, const Path& path, double radius, const Time& now) const;
 

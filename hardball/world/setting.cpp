@@ -21,6 +21,7 @@ void refuse_out_of_plane(const Surface& surface) {
   const std::string name = "the " + std::string(surface.name());
   refuse_out_of_plane(surface.point(), "the position of " + name, "walls");
   refuse_out_of_plane(surface.velocity(), "the velocity of " + name, "walls");
+  if (surface.mesh()) throw Error("a mesh is in a box of two dimensions", "walls", "give the box three");
   if (const auto* cylinder = std::get_if<Cylinder>(&surface.shape())) {
     if (cylinder->axis().x == 0 && cylinder->axis().y == 0) return;
     throw Error("the axis of " + name + " is not z in a box of two dimensions", "walls",
@@ -46,6 +47,24 @@ void refuse_far_or_large(const Obstacle& obstacle, double center, double size, s
               "walls", "enlarge the box or shrink the obstacle");
 }
 
+// The images of a mesh may touch, but not overlap, and a sphere must see few of them at a time.
+void refuse_mesh_in_periodic_box(const Surface& surface, const Box& box, std::size_t axis) {
+  const auto refuse = [&](const std::string& what, const char* remedy) {
+    throw Error(what + " along " + kAxisNames[axis], "walls", remedy);
+  };
+  const Extent& extent = surface.mesh()->mesh().extent();
+  const double size = box.size()[axis];
+  if (surface.velocity() != Vec3{}) refuse("a mesh moves in a box that is periodic", "keep it at rest");
+  if (extent.high[axis] - extent.low[axis] > size * (1 + kWallTolerance)) {
+    refuse("a mesh is " + to_text(extent.high[axis] - extent.low[axis]) +
+               " long, and the period of the box is " + to_text(size),
+           "enlarge the box, or scale the mesh");
+  }
+  const double begin = surface.point()[axis] + extent.low[axis];
+  if (begin >= -size && begin <= 2 * size) return;
+  refuse("a mesh begins at " + to_text(begin) + ", outside the box,", "move its point");
+}
+
 // A plane or a tube must be the same in every image of the box; what encloses spheres must lie inside it.
 void refuse_in_periodic_box(const Surface& surface, const Box& box) {
   const auto refuse = [&](std::size_t axis, const char* remedy) {
@@ -60,6 +79,10 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
       // Its images would come from any distance.
       throw Error("an obstacle moves in a periodic box", "walls",
                   "keep it at rest, or use a kinematic sphere");
+    }
+    if (surface.mesh()) {
+      refuse_mesh_in_periodic_box(surface, box, axis);
+      continue;
     }
     const char* const remedy =
         std::visit([&](const auto& shape) { return shape.remedy_for_period(axis); }, surface.shape());
@@ -153,6 +176,8 @@ Features features_of_walls(const Box& box, std::span<const Surface> surfaces) {
     add(surface.material(), surface.velocity());
     features.add(Feature::oscillating_walls, std::holds_alternative<OscillatingPlane>(surface.shape()));
     features.add(Feature::curved_walls, surface.normal() == nullptr);
+    if (!surface.mesh()) continue;
+    for (const auto& [group, material] : surface.mesh()->group_materials()) add(material, {});
   }
   return features;
 }
@@ -203,19 +228,22 @@ Setting::Setting(const Box& box, const Vec3& gravity, std::vector<Surface> surfa
 }
 
 void Setting::divide_surfaces() {
-  std::vector<ObstacleTree::Obstacle> at_rest;
+  std::vector<ExtentTree::Item> at_rest;
+  meshes_.clear();
   other_surfaces_.clear();
   std::uint32_t number = kFaces;
   for (const Surface& surface : surfaces_) {
     const auto* const obstacle = std::get_if<Obstacle>(&surface.shape());
     if (obstacle != nullptr && surface.velocity() == Vec3{}) {
-      at_rest.push_back({surface.point(), obstacle->radius(), number});
+      at_rest.push_back({Extent{surface.point(), surface.point()}.grown(obstacle->radius()), number});
+    } else if (surface.mesh()) {
+      meshes_.push_back(number);
     } else {
       other_surfaces_.push_back(number);
     }
     ++number;
   }
-  obstacles_ = ObstacleTree(std::move(at_rest));
+  obstacles_ = ExtentTree(at_rest);
 }
 
 Features Setting::features_with(const Interactions& interactions) const {
@@ -224,7 +252,7 @@ Features Setting::features_with(const Interactions& interactions) const {
   features.add(Feature::gravity, !motion_.is_straight());
   features.add(Feature::growth, motion_.has_growth());
   features.add(Feature::shear, box_.is_sheared());
-  features.add(Feature::obstacle_images, has_images_of_obstacles(*this));
+  features.add(Feature::obstacle_images, has_images_of_solids(*this));
   return features;
 }
 

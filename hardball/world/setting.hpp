@@ -10,10 +10,10 @@
 
 #include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
+#include "hardball/geometry/extent_tree.hpp"
 #include "hardball/geometry/growth.hpp"
 #include "hardball/geometry/motion.hpp"
 #include "hardball/interaction/interactions.hpp"
-#include "hardball/surfaces/obstacle_tree.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/box.hpp"
 #include "hardball/world/features.hpp"
@@ -40,7 +40,12 @@ class HARDBALL_EXPORT Setting {
   /// The surface of a wall event. Precondition: `number` is not that of a face of the box.
   const Surface& surface(std::uint32_t number) const { return surfaces_[number - kFaces]; }
   /// The obstacles at rest, by their numbers.
-  const ObstacleTree& obstacles() const { return obstacles_; }
+  const ExtentTree& obstacles() const { return obstacles_; }
+  /// The numbers of the meshes.
+  std::span<const std::uint32_t> meshes() const { return meshes_; }
+  /// Whether there are solids, which are searched in trees and only some way ahead: obstacles at rest, and
+  /// meshes.
+  bool has_solids() const { return !obstacles_.is_empty() || !meshes_.empty(); }
   /// The numbers of all other surfaces.
   std::span<const std::uint32_t> other_surfaces() const { return other_surfaces_; }
   /// What happens when spheres touch each other or a wall; by default they are smooth and elastic.
@@ -78,7 +83,8 @@ class HARDBALL_EXPORT Setting {
   Box box_;
   Motion motion_;
   std::vector<Surface> surfaces_;
-  ObstacleTree obstacles_;
+  ExtentTree obstacles_;
+  std::vector<std::uint32_t> meshes_;
   std::vector<std::uint32_t> other_surfaces_;
   Interactions interactions_;
   double bounding_scale_ = 1;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <variant>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/surfaces/polynomial.hpp"
 #include "hardball/world/totals.hpp"
@@ -18,39 +19,60 @@ bool is_periodic(const Box& box) {
   return box.is_periodic(0) || box.is_periodic(1) || box.is_periodic(2);
 }
 
-bool has_images(const Setting& setting, const Surface& surface) {
-  return is_periodic(setting.box()) && std::holds_alternative<Obstacle>(surface.shape());
+bool has_images(const Box& box, const Surface& surface) {
+  return is_periodic(box) && std::holds_alternative<Obstacle>(surface.shape());
 }
 
-// Calls visit(shift) with the displacement of each image of the obstacles at rest that may reach into a part
-// of space.
+// Calls visit(image) for each image of what is within an extent that may reach into a part of space.
 template <class Visit>
-void for_each_image_of_obstacles(const Setting& setting, const Bounds& part, Visit&& visit) {
-  const Bounds& bounds = setting.obstacles().bounds();
-  const Box& box = setting.box();
+void for_each_image(const Box& box, const Extent& extent, const Extent& part, Visit&& visit) {
   Image low;
   Image high;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!box.is_periodic(axis)) continue;
     const double size = box.size()[axis];
-    low[axis] = static_cast<std::int32_t>(std::ceil((part.low[axis] - bounds.high[axis]) / size));
-    high[axis] = static_cast<std::int32_t>(std::floor((part.high[axis] - bounds.low[axis]) / size));
+    low[axis] = static_cast<std::int32_t>(std::ceil((part.low[axis] - extent.high[axis]) / size));
+    high[axis] = static_cast<std::int32_t>(std::floor((part.high[axis] - extent.low[axis]) / size));
   }
   Image image;
   for (image[0] = low[0]; image[0] <= high[0]; ++image[0]) {
     for (image[1] = low[1]; image[1] <= high[1]; ++image[1]) {
-      for (image[2] = low[2]; image[2] <= high[2]; ++image[2]) visit(box.shift(image));
+      for (image[2] = low[2]; image[2] <= high[2]; ++image[2]) visit(image);
     }
   }
 }
 
+Extent around(const Vec3& position, double distance) {
+  return Extent{position, position}.grown(distance);
+}
+
+// Where a mesh is at time zero, thickness included. In a periodic box it rests.
+Extent extent_of(const Surface& mesh) {
+  const Extent& extent = mesh.mesh()->mesh().extent();
+  return Extent{mesh.point() + extent.low, mesh.point() + extent.high}.grown(mesh.mesh()->thickness());
+}
+
+// The distance from a point to a mesh or the nearest of its images, see Surface::distance.
+double distance_to_mesh(const Box& box, const Surface& mesh, const Vec3& position, const Time& moment) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const bool is_inside = mesh.mesh()->spheres() == MeshSide::inside;
+  double distance = is_inside ? -kInfinity : kInfinity;
+  // The nearest point of some image is no farther than half a period along any axis.
+  const Vec3 half = 0.5 * box.size();
+  for_each_image(box, extent_of(mesh), {position - half, position + half}, [&](const Image& image) {
+    const double to_image = mesh.distance(position - box.shift(image), moment);
+    distance = is_inside ? std::max(distance, to_image) : std::min(distance, to_image);
+  });
+  return distance;
+}
+
 // Where a sphere may be from `now` until another time.
-Bounds reached(const Motion& motion, const Path& path, double radius, const Time& now, double until) {
+Extent reached(const Motion& motion, const Path& path, double radius, const Time& now, double until) {
   constexpr double kRounding = 0x1p-40;
   const State state = motion.state_at(path, now);
   const double largest_radius = radius * motion.largest_scale();
   const double elapsed = std::max(0.0, until - rounded_down(now)) * (1 + kRounding);
-  Bounds bounds{state.position, state.position};
+  Extent extent{state.position, state.position};
   for_each_axis([&](auto axis) {
     const double velocity = state.velocity[axis];
     const double gravity = motion.gravity()[axis];
@@ -58,10 +80,10 @@ Bounds reached(const Motion& motion, const Path& path, double radius, const Time
     const double fall = gravity != 0 ? 0.5 * std::fabs(gravity) * elapsed * elapsed : 0;
     const double margin =
         largest_radius + fall + kRounding * (std::fabs(state.position[axis]) + largest_radius);
-    bounds.low[axis] += std::min(straight, 0.0) - margin;
-    bounds.high[axis] += std::max(straight, 0.0) + margin;
+    extent.low[axis] += std::min(straight, 0.0) - margin;
+    extent.high[axis] += std::max(straight, 0.0) + margin;
   });
-  return bounds;
+  return extent;
 }
 
 // How far from a face a sphere is.
@@ -96,8 +118,8 @@ bool is_uniform(const Setting& setting) {
   return setting.motion().is_straight() && setting.surfaces().empty() && setting.box().has_plain_faces();
 }
 
-bool has_images_of_obstacles(const Setting& setting) {
-  return is_periodic(setting.box()) && !setting.obstacles().is_empty();
+bool has_images_of_solids(const Setting& setting) {
+  return is_periodic(setting.box()) && setting.has_solids();
 }
 
 Event next_wall_event(const Setting& setting, SphereId id, const Path& path, double radius, const Time& now) {
@@ -124,26 +146,65 @@ Event next_wall_event(const World& world, Slot slot, const Time& now) {
   return next_wall_event(world, world.id(slot), world.path(slot), world.base_radius(slot), now);
 }
 
-Event next_obstacle_event(const Setting& setting, SphereId id, const Path& path, double radius,
-                          const Time& now, double until) {
+Event next_solid_event(const Setting& setting, SphereId id, const Path& path, double radius, const Time& now,
+                       double until) {
   Event next;
-  if (setting.obstacles().is_empty()) return next;
-  const Bounds part = reached(setting.motion(), path, radius, now, until);
-  for_each_image_of_obstacles(setting, part, [&](const Vec3& shift) {
-    const Path image{path.position - shift, path.velocity, path.time};
-    setting.obstacles().for_each_in({part.low - shift, part.high - shift}, [&](std::uint32_t number) {
-      const Surface& surface = setting.surface(number);
-      if (surface.free_until(setting.motion(), image, radius, now) > std::min(until, next.time.high)) return;
-      const Event event{
-          surface.contact_time(setting.motion(), image, radius), EventKind::wall, id, number, {}};
-      if (event < next) next = event;
+  if (!setting.has_solids()) return next;
+  const Extent part = reached(setting.motion(), path, radius, now, until);
+  double end = until;
+  const auto note = [&](const Time& time, std::uint32_t number) {
+    const Event event{time, EventKind::wall, id, number, {}};
+    if (!(event < next)) return;
+    next = event;
+    end = std::min(until, next.time.high);
+  };
+  if (!setting.obstacles().is_empty()) {
+    for_each_image(setting.box(), setting.obstacles().extent(), part, [&](const Image& image) {
+      const Vec3 shift = setting.box().shift(image);
+      const Path passing{path.position - shift, path.velocity, path.time};
+      setting.obstacles().for_each_in({part.low - shift, part.high - shift}, [&](std::uint32_t number) {
+        const Surface& surface = setting.surface(number);
+        if (surface.free_until(setting.motion(), passing, radius, now) > end) return;
+        note(surface.contact_time(setting.motion(), passing, radius), number);
+      });
     });
-  });
+  }
+  for (const std::uint32_t number : setting.meshes()) {
+    const Surface& mesh = setting.surface(number);
+    note(first_contact_with_mesh(setting.box(), setting.motion(), mesh, path, radius, now, end).contact.time,
+         number);
+  }
   return next;
 }
 
-Event next_obstacle_event(const World& world, Slot slot, const Time& now, double until) {
-  return next_obstacle_event(world, world.id(slot), world.path(slot), world.base_radius(slot), now, until);
+ImageContact first_contact_with_mesh(const Box& box, const Motion& motion, const Surface& mesh,
+                                     const Path& path, double radius, const Time& now, double until) {
+  ImageContact first;
+  double end = until;
+  for_each_image(box, extent_of(mesh), reached(motion, path, radius, now, until), [&](const Image& image) {
+    const Path passing{path.position - box.shift(image), path.velocity, path.time};
+    const SurfaceContact found = mesh.first_contact(motion, passing, radius, now, end);
+    if (!(found.time < first.contact.time)) return;
+    first = {found, image};
+    end = std::min(until, found.time.high);
+  });
+  return first;
+}
+
+MeshTouch touch_of_mesh(const Setting& setting, std::uint32_t number, const Path& path, double radius,
+                        const Time& moment) {
+  const Surface& mesh = setting.surface(number);
+  const double until = std::nextafter(moment.high, std::numeric_limits<double>::infinity());
+  const auto [contact, image] =
+      first_contact_with_mesh(setting.box(), setting.motion(), mesh, path, radius, moment, until);
+  HARDBALL_CHECK(contact.time == moment);
+  const Path passing{path.position - setting.box().shift(image), path.velocity, path.time};
+  return {image, contact.feature,
+          mesh.towards_feature(setting.motion(), passing, radius, moment, contact.feature)};
+}
+
+Event next_solid_event(const World& world, Slot slot, const Time& now, double until) {
+  return next_solid_event(world, world.id(slot), world.path(slot), world.base_radius(slot), now, until);
 }
 
 bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now) {
@@ -168,22 +229,30 @@ bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const
   return false;
 }
 
+double distance_to_surface(const Box& box, const Surface& surface, const Vec3& position, const Time& moment) {
+  if (surface.mesh()) return distance_to_mesh(box, surface, position, moment);
+  return surface.distance(position - nearest_image_of(box, surface, position), moment);
+}
+
 double distance_to_surfaces(const Setting& setting, const Vec3& position, const Time& moment) {
+  const Box& box = setting.box();
   double least = std::numeric_limits<double>::infinity();
-  const auto note = [&](const Surface& surface) {
-    const Vec3 image = nearest_image_of(setting, surface, position);
-    least = std::min(least, surface.distance(position - image, moment));
+  const auto note = [&](std::uint32_t number) {
+    least = std::min(least, distance_to_surface(box, setting.surface(number), position, moment));
   };
-  for (const std::uint32_t number : setting.other_surfaces()) note(setting.surface(number));
+  for (const std::uint32_t number : setting.other_surfaces()) note(number);
+  for (const std::uint32_t number : setting.meshes()) note(number);
   if (setting.obstacles().is_empty()) return least;
   constexpr double kRoundedUp = 1 + 0x1p-40;
-  const Vec3 half = 0.5 * setting.box().size();
+  const Vec3 half = 0.5 * box.size();
   double farthest = least;
-  for_each_image_of_obstacles(setting, {position - half, position + half}, [&](const Vec3& shift) {
+  const Extent all = setting.obstacles().extent();
+  for_each_image(box, all, {position - half, position + half}, [&](const Image& image) {
+    const Vec3 shift = box.shift(image);
     setting.obstacles().for_each_within(
-        farthest, [&](const Bounds& bounds) { return distance_to(bounds, position - shift); },
+        farthest, [&](const Extent& extent) { return distance_to(extent, position - shift); },
         [&](std::uint32_t number) {
-          note(setting.surface(number));
+          note(number);
           farthest = kRoundedUp * std::max(0.0, least);
         });
   });
@@ -191,22 +260,20 @@ double distance_to_surfaces(const Setting& setting, const Vec3& position, const 
 }
 
 bool is_clear_of_surfaces(const Setting& setting, const Vec3& position, double radius, const Time& moment) {
-  const auto is_clear = [&](const Surface& surface) {
-    const Vec3 image = nearest_image_of(setting, surface, position);
-    return surface.distance(position - image, moment) >= radius;
+  const auto is_clear = [&](std::uint32_t number) {
+    return distance_to_surface(setting.box(), setting.surface(number), position, moment) >= radius;
   };
-  for (const std::uint32_t number : setting.other_surfaces()) {
-    if (!is_clear(setting.surface(number))) return false;
-  }
+  if (!std::ranges::all_of(setting.other_surfaces(), is_clear)) return false;
+  if (!std::ranges::all_of(setting.meshes(), is_clear)) return false;
   if (setting.obstacles().is_empty()) return true;
   const double reach = radius * (1 + 0x1p-40) + 0x1p-40 * length(position);
-  const Vec3 extent{reach, reach, reach};
   bool clear = true;
-  for_each_image_of_obstacles(setting, {position - extent, position + extent}, [&](const Vec3& shift) {
-    setting.obstacles().for_each_in(
-        {position - extent - shift, position + extent - shift},
-        [&](std::uint32_t number) { clear = clear && is_clear(setting.surface(number)); });
-  });
+  for_each_image(
+      setting.box(), setting.obstacles().extent(), around(position, reach), [&](const Image& image) {
+        const Vec3 shift = setting.box().shift(image);
+        setting.obstacles().for_each_in(around(position - shift, reach),
+                                        [&](std::uint32_t number) { clear = clear && is_clear(number); });
+      });
   return clear;
 }
 
@@ -219,6 +286,10 @@ double accessible_volume(const Setting& setting) {
     const Shape& shape = surface.shape();
     if (const auto* obstacle = std::get_if<Obstacle>(&shape)) {
       obstacles += box.sphere_volume(obstacle->radius());
+      continue;
+    }
+    if (surface.mesh() && surface.mesh()->spheres() != MeshSide::inside) {
+      obstacles += surface.mesh()->displaced_volume();
       continue;
     }
     if (is_enclosed) return std::numeric_limits<double>::quiet_NaN();
@@ -243,9 +314,9 @@ double packing_fraction(const Setting& setting, double sphere_volume) {
   return fraction > 0 ? fraction : std::numeric_limits<double>::quiet_NaN();
 }
 
-Vec3 nearest_image_of(const Setting& setting, const Surface& surface, const Vec3& position) {
-  if (!has_images(setting, surface)) return {};
-  return setting.box().shift(setting.box().nearest_image(position - surface.point()));
+Vec3 nearest_image_of(const Box& box, const Surface& surface, const Vec3& position) {
+  if (!has_images(box, surface)) return {};
+  return box.shift(box.nearest_image(position - surface.point()));
 }
 
 }  // namespace hardball

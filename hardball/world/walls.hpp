@@ -16,29 +16,41 @@ HARDBALL_EXPORT bool has_walls(const Setting& setting);
 /// motions: no gravity, no surface, no face with properties of its own. Then a fluid is the same everywhere.
 HARDBALL_EXPORT bool is_uniform(const Setting& setting);
 
-/// Whether obstacles have images in a periodic box.
-HARDBALL_EXPORT bool has_images_of_obstacles(const Setting& setting);
+/// Whether solids, which are obstacles at rest and meshes, have images in a periodic box.
+HARDBALL_EXPORT bool has_images_of_solids(const Setting& setting);
 
-/// The next contact of a sphere with a face of the box, or with a surface other than an obstacle at rest,
-/// where none has come before `now`; an event that never happens if there is none.
+/// The next contact of a sphere with a face of the box, or with a surface that is no solid, where none has
+/// come before `now`; an event that never happens if there is none.
 HARDBALL_EXPORT Event next_wall_event(const World& world, Slot slot, const Time& now);
 
 /// The next contact of a sphere on any path, of this base radius [L], with a face of the box, or with a
-/// surface other than an obstacle at rest, where none has come before `now`, as an event of sphere `id`; an
-/// event that never happens if there is none.
+/// surface that is no solid, where none has come before `now`, as an event of sphere `id`; an event that
+/// never happens if there is none.
 HARDBALL_EXPORT Event next_wall_event(const Setting& setting, SphereId id, const Path& path, double radius,
                                       const Time& now);
 
-/// The next contact of a sphere with an obstacle at rest, or an image of one, where none has come before
-/// `now`. If there is none before `until` [T], it is a later one or an event that never happens.
-/// Precondition: in a periodic box, the sphere covers no more than a few boxes until then. Cost: O(log n),
-/// of n obstacles, for each that it comes close to.
-HARDBALL_EXPORT Event next_obstacle_event(const World& world, Slot slot, const Time& now, double until);
+/// The next contact of a sphere with a solid, or an image of one, where none has come before `now`. If there
+/// is none before `until` [T], it is a later one or an event that never happens. Precondition: in a periodic
+/// box, the sphere covers no more than a few boxes until then. Cost: O(log n), of n obstacles or triangles,
+/// for each that it comes close to.
+HARDBALL_EXPORT Event next_solid_event(const World& world, Slot slot, const Time& now, double until);
 
-/// The next contact of a sphere on any path, of this base radius [L], with an obstacle at rest, or an image
-/// of one, as an event of sphere `id`. `until` and the precondition are those for a sphere of a world.
-HARDBALL_EXPORT Event next_obstacle_event(const Setting& setting, SphereId id, const Path& path,
-                                          double radius, const Time& now, double until);
+/// The next contact of a sphere on any path, of this base radius [L], with a solid, or an image of one, as an
+/// event of sphere `id`. `until` and the precondition are those for a sphere of a world.
+HARDBALL_EXPORT Event next_solid_event(const Setting& setting, SphereId id, const Path& path, double radius,
+                                       const Time& now, double until);
+
+/// Where a sphere touches a mesh.
+struct MeshTouch {
+  Image image;                ///< The image of the mesh, in the coordinates of the path.
+  std::uint32_t feature = 0;  ///< What it touches, see Mesh.
+  Vec3 towards;               ///< From the center to the nearest point of the feature [L].
+};
+
+/// What the sphere of a wall event touches, if the surface is a mesh. Preconditions: it is; `path` is the
+/// sphere's, of this base radius [L], and `moment` that of the event.
+HARDBALL_EXPORT MeshTouch touch_of_mesh(const Setting& setting, std::uint32_t number, const Path& path,
+                                        double radius, const Time& moment);
 
 /// What may_meet_wall does for surfaces, and for faces of the box if there is gravity or growth.
 HARDBALL_EXPORT bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now);
@@ -65,6 +77,20 @@ inline bool may_meet_wall(const World& world, Slot slot, double time, const Time
   return may;
 }
 
+/// The first contact of a sphere with a mesh, or an image of it, while all move so, from `now` until another
+/// time [T]; if there is none until then, a later one or none.
+struct ImageContact {
+  SurfaceContact contact;
+  Image image;
+};
+HARDBALL_EXPORT ImageContact first_contact_with_mesh(const Box& box, const Motion& motion,
+                                                     const Surface& mesh, const Path& path, double radius,
+                                                     const Time& now, double until);
+
+/// The distance from a point to a surface at `moment`, or to its nearest image [L]; negative beyond it.
+HARDBALL_EXPORT double distance_to_surface(const Box& box, const Surface& surface, const Vec3& position,
+                                           const Time& moment);
+
 /// The distance from a point to the nearest surface at `moment`, or its nearest image [L]; negative beyond
 /// it, and infinite if there are none.
 HARDBALL_EXPORT double distance_to_surfaces(const Setting& setting, const Vec3& position, const Time& moment);
@@ -86,7 +112,7 @@ HARDBALL_EXPORT double packing_fraction(const World& world, const Time& moment);
 HARDBALL_EXPORT double packing_fraction(const Setting& setting, double sphere_volume);
 
 /// The displacement of the image of a surface nearest to `position`, in a periodic box [L]; zero if the
-/// surface has none.
-HARDBALL_EXPORT Vec3 nearest_image_of(const Setting& setting, const Surface& surface, const Vec3& position);
+/// surface has none, or is a mesh.
+HARDBALL_EXPORT Vec3 nearest_image_of(const Box& box, const Surface& surface, const Vec3& position);
 
 }  // namespace hardball

@@ -83,6 +83,7 @@ void World::check(const Sphere& sphere) const {
                   "place it between " + to_text(sphere.radius) + " and " + to_text(size - sphere.radius));
     }
   }
+  check_resolved(sphere.radius, where);
 }
 
 void World::check_in_plane(const Vec3& vector, const char* what, const std::string& where) const {
@@ -110,6 +111,16 @@ void World::check_fits(double radius, std::size_t axis, const std::string& where
   throw Error("diameter " + to_text(2 * radius) + " exceeds the box size " + to_text(size) + " along " +
                   kAxisNames[axis],
               where, "enlarge the box or shrink the sphere");
+}
+
+void World::check_resolved(double radius, const std::string& where) const {
+  for (const std::uint32_t number : meshes()) {
+    const MeshShape& mesh = *surface(number).mesh();
+    if (radius + mesh.thickness() >= MeshShape::kSmallestReach * mesh.mesh().largest_coordinate()) continue;
+    throw Error("a sphere of radius " + to_text(radius) + " is lost in a mesh with coordinates up to " +
+                    to_text(mesh.mesh().largest_coordinate()),
+                where, "give it at least 2^-30 of that, or the mesh a thickness");
+  }
 }
 
 void World::check_velocity(SphereId id, const Vec3& velocity) const {
@@ -207,6 +218,7 @@ void World::reshape(Slot slot, double radius, double mass, double inertia_factor
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (box().is_bounded(axis)) check_fits(radius, axis, where);
   }
+  check_resolved(radius, where);
   has_grown_ |= radius > base_radius(slot);
   set_size(slot, radius, mass, inertia_factor);
   note_traits();
@@ -273,6 +285,7 @@ bool World::restored() {
       if (box().is_bounded(axis)) check_fits(state.radius, axis, where);
       if (box().is_periodic(axis) && !(x >= 0 && x <= box().size()[axis])) return false;
     }
+    check_resolved(state.radius, where);
     check_in_plane(state.path.position, "position", where);
     check_in_plane(state.path.velocity, "velocity", where);
     check_spin(state.spin, where);

@@ -190,6 +190,7 @@ class HARDBALL_EXPORT World : CompilationCheck, public Setting, public Spheres {
   void check_in_plane(const Vec3& vector, const char* what, const std::string& where) const;
   void check_mass(double mass, const std::string& where) const;
   void check_fits(double radius, std::size_t axis, const std::string& where) const;
+  void check_resolved(double radius, const std::string& where) const;
   void note_traits();
 
   PairLevels levels_;

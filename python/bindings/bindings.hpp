@@ -10,6 +10,7 @@ namespace hardball::python {
 
 void bind_errors(pybind11::module_& module);
 void bind_processes(pybind11::module_& module);
+void bind_meshes(pybind11::module_& module);
 void bind_box(pybind11::module_& module);
 void bind_steps(pybind11::module_& module);
 void bind_responses(pybind11::module_& module);

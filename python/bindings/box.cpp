@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -155,6 +156,8 @@ std::string text_of(const Surface& surface) {
         return made;
       },
       shape);
+  if (surface.mesh())
+    call.add("<Mesh of " + to_text(surface.mesh()->mesh().triangles().size()) + " triangles>");
   if (surface.point() != Vec3{}) call.add("point", surface.point());
   if (surface.velocity() != Vec3{}) call.add("velocity", surface.velocity());
   if (const auto* const plane = std::get_if<OscillatingPlane>(&surface.shape())) {
@@ -246,9 +249,40 @@ void bind_plane(py::class_<Surface>& surface) {
       py::arg("amplitude") = 0.0, py::arg("frequency") = 0.0);
 }
 
+void bind_mesh(py::class_<Surface>& surface) {
+  const py::tuple origin = py::make_tuple(0.0, 0.0, 0.0);
+  surface.def_static(
+      MeshShape::kName.data(),
+      [](const std::shared_ptr<Mesh>& mesh, const ArrayLike& point, const std::string& spheres,
+         double thickness, const Faces& groups, const ArrayLike& velocity, std::optional<double> restitution,
+         std::optional<double> temperature, std::uint64_t seed) {
+        MeshShape shape(mesh, value_named<MeshSide>(spheres, "spheres"), thickness);
+        if (!groups.is_none() && !py::isinstance<py::dict>(groups))
+          throw Error("it is not a dict", "groups", "give one such as {'belt': {'restitution': 0.3}}");
+        if (!groups.is_none()) {
+          for (const auto& [key, value] : groups.cast<py::dict>()) {
+            const std::string name = py::str(key);
+            shape.set_group_material(name, properties_of(value, name).material);
+          }
+        }
+        return surface_of(shape, point, velocity, restitution, temperature, seed);
+      },
+      py::arg("mesh"), py::arg("point") = origin, py::kw_only(), py::arg("spheres") = "both",
+      py::arg("thickness") = 0.0, py::arg("groups") = py::none(), py::arg("velocity") = origin,
+      py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
+      "A mesh that spheres touch from both sides. `point` [L]: where the origin of the mesh is. `spheres`: "
+      "where they "
+      "are placed and stay, 'inside' or 'outside' of a closed mesh, or on 'both' sides. `thickness` [L] is "
+      "added to "
+      "the radius of every sphere. `groups` gives groups of triangles their own properties: {'belt': "
+      "{'restitution': "
+      "0.3}}.");
+}
+
 void bind_surface(py::module_& module) {
   py::class_<Surface> surface(module, "Surface", doc::Surface);
   bind_plane(surface);
+  bind_mesh(surface);
   for_each_alternative<Shape>([&]<class S>(std::type_identity<S>) {
     if constexpr (requires { S::kMeaning; } && !std::is_same_v<S, Plane>) bind_shape<S>(surface);
   });

@@ -8,6 +8,7 @@ PYBIND11_MODULE(_hardball, module) {
   module.attr("__version__") = HARDBALL_VERSION;
   bind_errors(module);
   bind_processes(module);
+  bind_meshes(module);
   bind_box(module);
   bind_steps(module);
   bind_responses(module);

@@ -164,6 +164,7 @@ void bind_contact(py::module_& module) {
           "'collision' or 'wall'.")
       .def_readonly("first", &Contact::first, doc::Contact_first)
       .def_readonly("second", &Contact::second, doc::Contact_second)
+      .def_readonly("feature", &Contact::feature, doc::Contact_feature)
       .def_property_readonly("position", vector(&Contact::position), doc::Contact_position)
       .def_property_readonly("second_position", vector(&Contact::second_position),
                              doc::Contact_second_position)

@@ -6,6 +6,7 @@
 // optimization level and machine must print the same.
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "hardball/packing/packing.hpp"
 #include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/surfaces/make_mesh.hpp"
 #include "hardball/world/step_levels.hpp"
 #include "hardball/world/walls.hpp"
 
@@ -120,6 +122,32 @@ World lorentz_gas() {
 
 // Discs of several sizes that fall in a tilted channel between thermal and oscillating walls, around a round
 // obstacle.
+// Grains fall in a box of triangles that stands on an edge, through which a rod leads, onto bumpy ground.
+World grains_in_a_mesh() {
+  const auto made = [](const MeshParts& parts) { return std::make_shared<const Mesh>(parts); };
+  Random random(21);
+  std::vector<double> heights(64);
+  for (double& height : heights) height = 0.5 * random.uniform();
+  const SurfaceMaterial rough{.restitution = 0.6};
+  const std::vector<Surface> surfaces{
+      Surface(MeshShape(made(transformed(box_mesh({10, 10, 10}), 1, {45, 0, 0})), MeshSide::inside),
+              {0, 0, 0}),
+      Surface(MeshShape(made(segment_mesh({8, 0, 1})), MeshSide::both, 0.5), {-4, 0, 0}, {0, 0.02, 0}),
+      Surface(MeshShape(made(height_field_mesh(heights, 8, 1))), {-3.5, -3.5, -3}, {}, rough),
+  };
+  World world(Box::open(), {0, 0.1, -1}, surfaces);
+  for (int x = -4; x <= 4; ++x) {
+    for (int y = -5; y <= 5; ++y) {
+      for (int z = -2; z <= 5; ++z) {
+        const Vec3 place{1.0 * x, 1.0 * y, 1.0 * z};
+        if (distance_to_surfaces(world, place, Time(0)) < 0.5) continue;
+        world.add({place, maxwell_velocity(random, 0.5), 0.25 + 0.2 * random.uniform(), 1});
+      }
+    }
+  }
+  return world;
+}
+
 World falling_discs() {
   const SurfaceMaterial warm{.temperature = 0.5, .seed = 11};
   const std::vector<Surface> surfaces{
@@ -328,6 +356,7 @@ int main(int argument_count, char** arguments) {
   print("two_spheres", two_spheres(), 20000);
   print("shaken_grains", shaken_grains(), 20000, Restitution(0.8, 0.01));
   print("lorentz_gas", lorentz_gas(), 20000);
+  print("grains_in_a_mesh", grains_in_a_mesh(), 10000, Restitution(0.9, 0.01));
   print("falling_discs", falling_discs(), 20000, Restitution(0.8, 0.01));
   print("periodic_discs", periodic_discs(), 20000);
   print("motley_gas", motley_gas(), 20000, motley_responses());

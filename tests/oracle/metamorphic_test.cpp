@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <type_traits>
 #include <variant>
@@ -106,6 +107,12 @@ Surface scaled(const Surface& surface, double length, double speed) {
         }
         if constexpr (std::is_same_v<Old, Cylinder>) return Cylinder(old.axis(), length * old.radius());
         if constexpr (std::is_same_v<Old, HollowSphere>) return HollowSphere(length * old.radius());
+        if constexpr (std::is_same_v<Old, MeshShape>) {
+          MeshParts parts{{}, {old.mesh().triangles().begin(), old.mesh().triangles().end()}, {}, {}};
+          for (const Vec3& vertex : old.mesh().vertices()) parts.vertices.push_back(length * vertex);
+          return MeshShape(std::make_shared<const Mesh>(std::move(parts)), old.spheres(),
+                           length * old.thickness());
+        }
         if constexpr (std::is_same_v<Old, Obstacle>) return Obstacle(length * old.radius());
         return surface.shape();
       },

@@ -230,6 +230,19 @@ long double root_in_cone(const Vec3& from, const Vec3& direction, const Cone& co
   return kInfinity;
 }
 
+// How far it is along a ray to a mesh, in steps that cannot pass it; infinite if it is not met soon.
+long double way_to_mesh(const Box& box, const Surface& mesh, const Vec3& origin, const Vec3& direction,
+                        const Time& now) {
+  const double scale = mesh.mesh()->mesh().largest_coordinate();
+  double way = 0;
+  for (int step = 0; step < 100'000 && way < 100 * scale; ++step) {
+    const double distance = distance_to_surface(box, mesh, origin + way * direction, now);
+    if (std::fabs(distance) < 1e-12 * scale) return way;
+    way += std::fabs(distance);
+  }
+  return kInfinity;
+}
+
 // Hits a little earlier or later than the first are returned as well.
 std::vector<SlowHit> slow_hits(const World& world, const Time& now, const Vec3& origin,
                                const Vec3& direction) {
@@ -258,7 +271,9 @@ std::vector<SlowHit> slow_hits(const World& world, const Time& now, const Vec3& 
   std::uint32_t number = kFaces;
   for (const Surface& surface : world.surfaces()) {
     const Vec3 from = origin - (surface.point() + now.value() * surface.velocity());
-    if (const auto* obstacle = std::get_if<Obstacle>(&surface.shape())) {
+    if (surface.mesh()) {
+      note(way_to_mesh(world.box(), surface, origin, direction, now), EventKind::wall, number);
+    } else if (const auto* obstacle = std::get_if<Obstacle>(&surface.shape())) {
       for_each_image(world.box(), kBoxes, [&](const Image& image) {
         note(root_ahead(from - world.box().shift(image), direction, obstacle->radius(), false),
              EventKind::wall, number);
@@ -370,7 +385,7 @@ double slow_clearance(const World& world, const Time& now, const Vec3& center, d
     least = std::min({least, place[axis] - radius, world.box().size()[axis] - place[axis] - radius});
   }
   for (const Surface& surface : world.surfaces()) {
-    const bool has_images = std::holds_alternative<Obstacle>(surface.shape());
+    const bool has_images = std::holds_alternative<Obstacle>(surface.shape()) || surface.mesh() != nullptr;
     for_each_image(world.box(), has_images ? kBoxes : 0, [&](const Image& image) {
       least = std::min(least, surface.distance(place + world.box().shift(image), now) - radius);
     });

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "hardball/interaction/response_table.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/surfaces/make_mesh.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/walls.hpp"
 #include "hardball/world/world.hpp"
@@ -229,6 +231,7 @@ class RandomWorldMaker {
     for (std::size_t axis = 0; axis < dimensions_; ++axis) {
       if (!box.is_periodic(axis)) walled.push_back(axis);
     }
+    if (!is_flat() && chance(0.25)) return add_mesh(walled.size() == kAxes, surfaces);
     const double kind = random_.uniform();
     if (kind < 0.3 || walled.empty()) {
       const Vec3 place{between(0, size_.x), between(0, size_.y), is_flat() ? 0 : between(0, size_.z)};
@@ -279,6 +282,39 @@ class RandomWorldMaker {
     const double narrower = std::min(size_[(along + 1) % kAxes], size_[(along + 2) % kAxes]);
     if (walled.size() < 2) return;
     surfaces.emplace_back(Cylinder(axis, 0.5 * between(0.7, 1) * narrower), center, Vec3{}, material);
+  }
+
+  // A body of four triangles, a box around everything, or a bumpy sheet, none longer than a period.
+  void add_mesh(bool is_all_walled, std::vector<Surface>& surfaces) {
+    const SurfaceMaterial material = random_material();
+    const bool moves = is_all_walled && !grows_ && chance(0.3);
+    const Vec3 velocity = moves ? 0.1 * random_velocity() : Vec3{};
+    const double kind = random_.uniform();
+    if (kind < 0.4) {
+      const double largest = std::min(largest_radius_ * between(0.3, 3), 0.4 * narrowest());
+      MeshParts parts;
+      for (int corner = 0; corner < 4; ++corner) parts.vertices.push_back(largest * random_.direction());
+      parts.triangles = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+      const Vec3 place{between(0, size_.x), between(0, size_.y), between(0, size_.z)};
+      surfaces.emplace_back(
+          MeshShape(std::make_shared<const Mesh>(parts), chance(0.5) ? MeshSide::outside : MeshSide::both,
+                    chance(0.3) ? 0.2 * largest : 0),
+          place, velocity, material);
+    } else if (kind < 0.6 && is_all_walled) {
+      const Vec3 turn = chance(0.5) ? Vec3{} : 90 * random_.direction();
+      const MeshParts parts = transformed(box_mesh(0.9 * size_), 1, turn);
+      surfaces.emplace_back(MeshShape(std::make_shared<const Mesh>(parts), MeshSide::inside), 0.5 * size_,
+                            velocity, material);
+    } else {
+      const std::size_t columns = 2 + below(6);
+      const double spacing = 0.999 * std::min(size_.x, size_.y) / static_cast<double>(columns - 1);
+      std::vector<double> heights(columns * columns);
+      const double bumps = std::min(spacing, 0.3 * size_.z) * std::exp2(-40 * random_.uniform());
+      for (double& height : heights) height = bumps * random_.uniform();
+      surfaces.emplace_back(
+          MeshShape(std::make_shared<const Mesh>(height_field_mesh(heights, columns, spacing))),
+          Vec3{0, 0, between(0.1, 0.5) * size_.z}, velocity, material);
+    }
   }
 
   // The distance of two spheres, as a multiple of the distance at which they touch.

@@ -29,7 +29,7 @@ inline Event wall_event_one_by_one(const World& world, Slot slot, const Time& no
   const Path& path = world.path(slot);
   std::uint32_t number = kFaces;
   for (const Surface& surface : world.surfaces()) {
-    const bool has_images = std::holds_alternative<Obstacle>(surface.shape());
+    const bool has_images = std::holds_alternative<Obstacle>(surface.shape()) || surface.mesh() != nullptr;
     const Image nearest =
         has_images ? world.box().nearest_image(world.unfolded_position(slot, now) - surface.point())
                    : Image{};

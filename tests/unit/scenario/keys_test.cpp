@@ -108,7 +108,7 @@ TEST(PageOfScenarios, HasTheRowsOfAllTablesAndNoOthers) {
 TEST(PageOfScenarios, HasExamplesThatAreScenarios) {
   EXPECT_GE(examples().size(), 7U);
   for (const std::string& example : examples()) {
-    EXPECT_NO_THROW(parse_scenario(completed(example), "example")) << example;
+    EXPECT_NO_THROW(parse_scenario(completed(example), HARDBALL_SCENARIOS "/example")) << example;
   }
 }
 

@@ -33,6 +33,10 @@ export function extentOf({ paths, spheres, time, bodies }, box, surfaces, larges
     if (surface.shape === 'plane' || surface.shape === 'cone') continue;
     const point = surface.pointAt(time);
     for (let axis = 0; axis < 3; ++axis) {
+      if (surface.mesh) {
+        widen(axis, point[axis] + surface.mesh.low[axis], point[axis] + surface.mesh.high[axis]);
+        continue;
+      }
       // A cylinder reaches less far along axes to which its own is inclined, and is unbounded along its own.
       const along = surface.shape === 'cylinder' ? surface.direction[axis] : 0;
       const reach = surface.radius * Math.sqrt(Math.max(0, 1 - along ** 2));

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
+import { MeshTriangles } from './mesh.js';
+
 /** The faces of the box are numbered before the surfaces of the header. */
 export const kBoxFaces = 6;
 
@@ -8,7 +10,7 @@ export const kBoxFaces = 6;
 export class Surface {
   /** `entry`: as in the header of a recording; `number`: its place in the list there. */
   constructor(entry, number) {
-    /** "plane", "cylinder", "sphere", "obstacle" or "cone". */
+    /** "plane", "cylinder", "sphere", "obstacle", "cone" or "mesh". */
     this.shape = entry.shape;
     this.point = entry.point;
     /** Unit normal of a plane, to the side of the spheres; unit vector along an axis. */
@@ -23,6 +25,8 @@ export class Surface {
     /** k_B T [M L² T⁻²] of a thermal surface, or null. */
     this.temperature = entry.temperature ?? null;
     this.restitution = entry.restitution ?? 1;
+    /** The triangles of a mesh around its point; null of other shapes. */
+    this.mesh = entry.shape === 'mesh' ? new MeshTriangles(entry.vertices, entry.triangles) : null;
     this.name = `wall ${number}: ${this.shape}`;
   }
 
@@ -50,6 +54,10 @@ export class Surface {
     if (this.shape === 'plane') return center.map((place, axis) => place - radius * this.direction[axis]);
     const point = this.pointAt(time);
     const apart = center.map((place, axis) => box.nearest(place - point[axis], axis));
+    if (this.mesh) {
+      const nearest = this.mesh.nearest(apart);
+      return center.map((place, axis) => place + nearest[axis] - apart[axis]);
+    }
     if (this.shape === 'cylinder' || this.shape === 'cone') {
       const along = apart.reduce((sum, part, axis) => sum + part * this.direction[axis], 0);
       for (let axis = 0; axis < 3; ++axis) apart[axis] -= along * this.direction[axis];

@@ -3,9 +3,9 @@
 import { Group, Vector3 } from 'three';
 import { surfaceColors } from './colors.js';
 import { Obstacles } from './obstacles.js';
-import { CircleWall, ConeWall, CylinderWall, PlaneWall, SphereWall, WedgeWall } from './wall.js';
+import { CircleWall, ConeWall, CylinderWall, MeshWall, PlaneWall, SphereWall, WedgeWall } from './wall.js';
 
-const kWalls = { plane: PlaneWall, cylinder: CylinderWall, sphere: SphereWall, cone: ConeWall };
+const kWalls = { plane: PlaneWall, cylinder: CylinderWall, sphere: SphereWall, cone: ConeWall, mesh: MeshWall };
 const kFlatWalls = { plane: PlaneWall, cylinder: CircleWall, sphere: CircleWall, cone: WedgeWall };
 const kFlattened = 1e-4; // heights over the plane of two dimensions, so that only lines are seen
 

@@ -4,6 +4,7 @@ import {
   BufferGeometry,
   CylinderGeometry,
   DoubleSide,
+  EdgesGeometry,
   Float32BufferAttribute,
   Group,
   Line,
@@ -13,6 +14,7 @@ import {
   SphereGeometry,
   Vector3,
 } from 'three';
+import { normalOf } from '../motion/mesh.js';
 import { roundUp } from '../statistics/speeds.js';
 import { kTranslucent, shaderMaterial } from './drawing.js';
 import { dot, planePatch, rangeAlong, tangents } from './plane_patch.js';
@@ -20,6 +22,7 @@ import { kLineFragment, kLineVertex, kWallFragment, kWallVertex } from './surfac
 
 const kLinesAround = 24; // of a cylinder or sphere
 const kLinesAcross = 12; // of the box
+const kBend = 1; // degrees from which an edge of a mesh is drawn
 const kTicks = 3; // along each direction of a plane
 
 // A material for walls; `shared` are uniforms of all walls, `nearStrength` is that of the part in front of spheres.
@@ -174,6 +177,21 @@ export class SphereWall extends Wall {
     useSpots(geometry, kLinesAround, kLinesAround / 2);
     super(surface, new Mesh(geometry, wallMaterial(tint, shared, 0.3)));
     this.object.scale.setScalar(surface.radius);
+  }
+}
+
+/** A mesh: translucent, with the edges at which it bends. */
+export class MeshWall extends Wall {
+  constructor(surface, tint, shared) {
+    const { triangles } = surface.mesh;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new Float32BufferAttribute(triangles.flat(2), 3));
+    const normals = triangles.flatMap((corners) => corners.flatMap(() => normalOf(corners)));
+    geometry.setAttribute('normal', new Float32BufferAttribute(normals, 3));
+    // Between the lines that other walls have.
+    geometry.setAttribute('spot', new Float32BufferAttribute(new Float32Array(6 * triangles.length).fill(0.5), 2));
+    const lines = new LineSegments(new EdgesGeometry(geometry, kBend), lineMaterial(tint));
+    super(surface, new Group().add(new Mesh(geometry, wallMaterial(tint, shared, 0.5)), lines));
   }
 }
 

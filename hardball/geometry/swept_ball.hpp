@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "hardball/geometry/extent.hpp"
+#include "hardball/geometry/vec3.hpp"
+
+namespace hardball {
+
+/// A ball whose center moves on a line or a parabola and whose radius grows evenly: when it comes near
+/// things.
+class SweptBall {
+ public:
+  /// Where the center is at time zero [L], its velocity [L/T] and acceleration [L/T^2], the radius [L] and
+  /// its growth [L/T].
+  SweptBall(const Vec3& position, const Vec3& velocity, const Vec3& acceleration, double radius,
+            double growth)
+      : position_(position),
+        velocity_(velocity),
+        acceleration_(acceleration),
+        radius_(radius),
+        growth_(growth) {}
+
+  Vec3 position_at(double t) const { return position_ + t * (velocity_ + (0.5 * t) * acceleration_); }
+  Vec3 velocity_at(double t) const { return velocity_ + t * acceleration_; }
+  double radius_at(double t) const { return radius_ + t * growth_; }
+  double growth() const { return growth_; }
+  /// The magnitude of the acceleration [L/T^2].
+  double acceleration() const { return length(acceleration_); }
+
+  /// A part of the time from `begin` to `end` outside which it does not reach into an extent; an empty one,
+  /// which ends before it begins, if it never does. `margin` [L] is more than the rounding of coordinates.
+  struct Stay {
+    double first;
+    double last;
+  };
+  Stay stay_within(const Extent& extent, double begin, double end, double margin) const {
+    double first = begin;
+    double last = end;
+    const double reach = radius_ + margin;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const double half = 0.5 * acceleration_[axis];
+      keep(position_[axis] - extent.low[axis] + reach, growth_ + velocity_[axis], half, begin, first, last);
+      keep(extent.high[axis] - position_[axis] + reach, growth_ - velocity_[axis], -half, begin, first, last);
+      if (!(first <= last)) return {std::numeric_limits<double>::infinity(), begin};
+    }
+    return {first, last};
+  }
+
+ private:
+  // Restricts [first, last] to where a + b t + c t^2 >= 0 from `begin` on, or to an interval around that.
+  static void keep(double a, double b, double c, double begin, double& first, double& last) {
+    constexpr double kForever = std::numeric_limits<double>::infinity();
+    if (c == 0) {
+      if (b > 0) {
+        first = std::max(first, -a / b);
+      } else if (b < 0) {
+        last = std::min(last, a / -b);
+      } else if (a < 0) {
+        first = kForever;
+      }
+      return;
+    }
+    const double discriminant = b * b - 4 * a * c;
+    if (c > 0) {
+      if (a + begin * (b + begin * c) >= 0 || discriminant < 0) return;
+      first = std::max(first, later_root(a, b, c, std::sqrt(discriminant)));
+    } else if (discriminant < 0) {
+      first = kForever;
+    } else {
+      const double root = std::sqrt(discriminant);
+      // Of the parabola turned over.
+      last = std::min(last, later_root(-a, -b, -c, root));
+      first = std::max(first, earlier_root(-a, -b, -c, root));
+    }
+  }
+  // The roots of a + b t + c t^2 for c > 0.
+  static double later_root(double a, double b, double c, double root) {
+    return b > 0 ? -2 * a / (b + root) : (root - b) / (2 * c);
+  }
+  static double earlier_root(double a, double b, double c, double root) {
+    return b > 0 ? -(b + root) / (2 * c) : 2 * a / (root - b);
+  }
+
+  Vec3 position_;
+  Vec3 velocity_;
+  Vec3 acceleration_;
+  double radius_;
+  double growth_;
+};
+
+}  // namespace hardball
