@@ -55,6 +55,7 @@ void check(const Joint& joint, const std::string& where) {
   check_vector(joint.axis, "the axis", where);
   if (joint.kind != JointKind::fixed && !(length(joint.axis) > 0))
     throw Error("the axis is a vector of length zero", where, "give a direction, such as (0, 0, 1)");
+  if (joint.locked) check_finite(*joint.locked, "the coordinate", where);
   if (!joint.rotation.is_sound())
     throw Error("the rotation is none", where, "give three unit vectors at right angles, right-handed");
 }
@@ -84,6 +85,16 @@ Pose placed(const Pose& frame, const Vec3& origin, const Rotation& rotation) {
   return {frame.body, frame.origin + frame.rotation.turned(origin), frame.rotation * rotation};
 }
 
+// The frame of a child whose joint keeps its coordinate.
+Pose locked(const Pose& at_zero, const Joint& joint) {
+  const Vec3 direction = (1 / length(joint.axis)) * joint.axis;
+  if (joint.kind == JointKind::prismatic) return placed(at_zero, *joint.locked * direction, {});
+  const auto [sine, cosine] = sine_cosine(*joint.locked);
+  const Rotation axis = Rotation::of_z_into(direction);
+  const Rotation about_z{{cosine, sine, 0}, {-sine, cosine, 0}, {0, 0, 1}};
+  return placed(at_zero, {}, axis * (about_z * axis.inverse()));
+}
+
 }  // namespace
 
 Robot Robot::from_spheres(const std::vector<Link>& links, const std::vector<Joint>& joints,
@@ -95,7 +106,7 @@ Robot Robot::from_spheres(const std::vector<Link>& links, const std::vector<Join
   for (const auto& [name, number] : numbers) robot.link_names_[number] = name;
   std::map<std::string, std::size_t> coordinates;
   for (const Joint& joint : joints) {
-    if (joint.kind == JointKind::fixed) continue;
+    if (!joint.moves()) continue;
     coordinates.emplace(joint.name, robot.joint_names_.size());
     robot.joint_names_.push_back(joint.name);
   }
@@ -117,8 +128,8 @@ Robot Robot::from_spheres(const std::vector<Link>& links, const std::vector<Join
       if (!parent || child) continue;
       is_growing = true;
       const Pose at_zero = placed(*parent, joint.origin, joint.rotation);
-      if (joint.kind == JointKind::fixed) {
-        child = at_zero;
+      if (!joint.moves()) {
+        child = joint.kind == JointKind::fixed ? at_zero : locked(at_zero, joint);
         continue;
       }
       const Rotation axis = Rotation::of_z_into((1 / length(joint.axis)) * joint.axis);

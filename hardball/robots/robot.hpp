@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -44,6 +45,11 @@ struct Joint {
   Vec3 origin = {};        ///< Where the child's frame has its origin, in the parent's frame [L].
   Rotation rotation = {};  ///< Turns the child's frame in the parent's, where the joint is at zero.
   Vec3 axis{0, 0, 1};      ///< In the child's frame; a vector of any length but zero.
+  /// The coordinate that the joint keeps, an angle or a length [L]; without one it moves.
+  std::optional<double> locked = std::nullopt;
+
+  /// Whether the trajectory says where it is.
+  bool moves() const { return kind != JointKind::fixed && !locked; }
 };
 
 /// A robot: links that joints make a tree, and whose surfaces are spheres.

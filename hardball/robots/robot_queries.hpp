@@ -16,14 +16,13 @@ namespace hardball {
 
 /// Where a robot touches an obstacle, or itself, or is nearest to one.
 struct RobotContact {
-  double time = 0;                                     ///< [T]
-  std::size_t sphere = 0;                              ///< The sphere of the robot.
-  std::optional<std::size_t> obstacle = std::nullopt;  ///< The obstacle; none if the robot meets itself.
-  std::optional<std::size_t> other_sphere =
-      std::nullopt;     ///< The other sphere of the robot, if it meets itself.
-  double distance = 0;  ///< Between both surfaces; negative where they overlap [L].
-  Vec3 point;           ///< The nearest point of the surface of the obstacle, or of the other sphere [L].
-  Vec3 normal;  ///< The unit vector from there to the center of the sphere [1]; zero if that is within.
+  double time = 0;                          ///< [T]
+  std::size_t sphere = 0;                   ///< The sphere of the robot.
+  std::optional<std::size_t> obstacle;      ///< The obstacle; none if the robot meets itself.
+  std::optional<std::size_t> other_sphere;  ///< The other sphere of the robot, if it meets itself.
+  double distance = 0;                      ///< Between both surfaces; negative where they overlap [L].
+  Vec3 point;                               ///< The point of the other surface that is nearest [L].
+  Vec3 normal;  ///< The unit vector from there to the sphere [1]; zero if its center is within the other.
 
   friend bool operator==(const RobotContact&, const RobotContact&) = default;
 };

@@ -57,6 +57,27 @@ TEST(Robot, MeetsItselfWhereTwoJointsLieBetween) {
   EXPECT_EQ(robot.pairs()[0].ancestor, 0);
 }
 
+TEST(Robot, LocksJoints) {
+  const std::vector<Link> links{{"base"}, {"upper", {{{1, 2, 3}, 0.1}}}, {"lower", {{{3, 2, 1}, 0.1}}}};
+  std::vector<Joint> joints{{.name = "a", .parent = "base", .child = "upper", .axis = {1, 2, 3}},
+                            {.name = "b",
+                             .kind = JointKind::prismatic,
+                             .parent = "upper",
+                             .child = "lower",
+                             .rotation = Rotation::from_angles(1, 2, 3),
+                             .axis = {0, 3, 4}}};
+  const std::vector<Vec3> moved = Robot::from_spheres(links, joints).centers(std::vector<double>{0.7, 0.4});
+  joints[0].locked = 0.7;
+  const Robot half = Robot::from_spheres(links, joints);
+  EXPECT_EQ(half.joint_count(), 1);
+  EXPECT_LT(length(half.centers(std::vector<double>{0.4})[1] - moved[1]), 1e-14);
+  joints[1].locked = 0.4;
+  const Robot still = Robot::from_spheres(links, joints);
+  EXPECT_EQ(still.joint_count(), 0);
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_LT(length(still.centers(std::vector<double>{})[k] - moved[k]), 1e-14);
+}
+
 TEST(Robot, HasLinksThatOnlyJointsName) {
   const Robot robot = Robot::from_spheres({{"hand", {{{1, 0, 0}, 0.1}}}},
                                           {{.name = "turn", .parent = "base", .child = "hand"}});
