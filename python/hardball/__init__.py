@@ -25,15 +25,19 @@ from ._hardball import (
     Contact,
     Error,
     Heating,
+    JointTrajectory,
     Measurement,
     Merging,
     NextContact,
+    Obstacles,
     Outcome,
     Processes,
     Quantity,
     RayHit,
     Rescale,
     ResponseTable,
+    Robot,
+    RobotContact,
     RunFailure,
     StepAttempt,
     StepPotential,
@@ -42,8 +46,13 @@ from ._hardball import (
     TabulatedRestitution,
     ViscoelasticRestitution,
     __version__,
+    first_contact,
+    first_contacts,
+    least_clearance,
+    least_clearances,
     measure_names,
     mpi_processes,
+    read_spheres,
 )
 from ._calls import ArgumentError, explain_calls, explained
 from ._commands import Check, Tuning, Verification, VerifiedRun, check, convert, info, tune, verify
@@ -52,6 +61,7 @@ from ._output import Output
 from ._packing import Packing, PackingFailed, pack
 from ._plots import plot
 from ._replica_exchange import ReplicaExchange
+from ._robots import read_joints
 from ._scenario import scenarios
 from ._simulation import Simulation
 from ._sweep import Sweep, sweep
@@ -69,9 +79,11 @@ __all__ = [
     "Error",
     "Frame",
     "Heating",
+    "JointTrajectory",
     "Measurement",
     "Merging",
     "NextContact",
+    "Obstacles",
     "Outcome",
     "Output",
     "Packing",
@@ -83,6 +95,8 @@ __all__ = [
     "ReplicaExchange",
     "Rescale",
     "ResponseTable",
+    "Robot",
+    "RobotContact",
     "RunFailure",
     "Simulation",
     "StepAttempt",
@@ -99,12 +113,18 @@ __all__ = [
     "ViscoelasticRestitution",
     "check",
     "convert",
+    "first_contact",
+    "first_contacts",
     "info",
+    "least_clearance",
+    "least_clearances",
     "measure_names",
     "mpi_processes",
     "pack",
     "plot",
     "read",
+    "read_joints",
+    "read_spheres",
     "scenarios",
     "sweep",
     "tune",
