@@ -39,9 +39,9 @@ CenterMotion Kinematics::motion_of(const Robot::BodySphere& sphere, std::size_t 
     const double rate = rate_at(cubic, time);
     const double second = second_at(cubic, time);
     if (body.turns) {
-      const auto [sine, cosine] = sine_cosine(value);
+      const SineCosine phase = sine_cosine(value);
       const auto turned = [&](const Vec3& v) {
-        return Vec3{cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
+        return Vec3{phase.cosine * v.x - phase.sine * v.y, phase.sine * v.x + phase.cosine * v.y, v.z};
       };
       position = turned(position);
       velocity = turned(velocity);
