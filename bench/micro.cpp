@@ -3,7 +3,7 @@
 
 // The cost of the parts of an event in isolation, in L1 and L2: contact times with each instruction set, the
 // calendar, and crossings of the broad phases. Also the cost of births and deaths among many spheres, of
-// drops that merge, of queries, and of whole frames of a game.
+// drops that merge, of queries, of robots on trajectories, and of whole frames of a game.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -24,6 +24,7 @@
 #include "hardball/interaction/response_table.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/placement/placement.hpp"
+#include "hardball/robots/robot_queries.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace {
@@ -294,6 +295,80 @@ void play(benchmark::State& state) {
   state.counters["longest_ms"] = milliseconds.back();
 }
 
+double within(Random& random, double most) {
+  return most * (2 * random.uniform() - 1);
+}
+
+// An arm of seven joints that turn, about 1.2 m long, with 200 spheres of 2 to 5 cm. It may meet itself where
+// three links or more lie between.
+Robot make_arm(Random& random) {
+  constexpr std::array kLengths{0.33, 0.1, 0.3, 0.1, 0.3, 0.1, 0.2};
+  constexpr std::size_t kOfArm = 200;
+  std::vector<Link> links{{"base"}};
+  std::vector<Joint> joints;
+  std::vector<std::pair<std::string, std::string>> ignored;
+  for (std::size_t k = 0; k < kLengths.size(); ++k) {
+    Link link{"link " + std::to_string(k)};
+    const std::size_t count = kOfArm * (k + 1) / kLengths.size() - kOfArm * k / kLengths.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      link.spheres.push_back({{within(random, 0.04), within(random, 0.04), kLengths[k] * random.uniform()},
+                              0.02 + 0.03 * random.uniform()});
+    }
+    joints.push_back({.name = "joint " + std::to_string(k),
+                      .parent = links.back().name,
+                      .child = link.name,
+                      .origin = {0, 0, k > 0 ? kLengths[k - 1] : 0.1},
+                      .axis = k % 2 == 0 ? Vec3{0, 0, 1} : Vec3{0, 1, 0}});
+    for (std::size_t before = links.size() < 3 ? 0 : links.size() - 3; before < links.size(); ++before)
+      ignored.emplace_back(links[before].name, link.name);
+    links.push_back(std::move(link));
+  }
+  return Robot::from_spheres(links, joints, ignored);
+}
+
+// The first contact of an arm of 200 spheres in seven seconds of splines through eight knots, among 40
+// obstacles of 10 cm that are at least as far away as the argument says, in centimeters: near ones are
+// touched soon. Or its least clearance.
+void follow_trajectory(benchmark::State& state, bool least) {
+  constexpr std::size_t kTrajectories = 100;
+  constexpr std::size_t kObstacles = 40;
+  Random random(6);
+  const Robot robot = make_arm(random);
+  const double nearest = static_cast<double>(state.range(0)) / 100;
+  std::vector<Obstacles> obstacles(kTrajectories);
+  std::vector<JointTrajectory> trajectories;
+  for (std::size_t k = 0; k < kTrajectories; ++k) {
+    for (std::size_t i = 0; i < kObstacles; ++i) {
+      const Vec3 center = (nearest + 0.8 * random.uniform()) * random.direction();
+      if (i % 2 == 0) {
+        obstacles[k].add_sphere(center, 0.05);
+      } else {
+        obstacles[k].add_box(center, {0.1, 0.1, 0.1},
+                             Rotation::from_angles(within(random, 3), within(random, 3), within(random, 3)));
+      }
+    }
+    std::vector<double> times;
+    std::vector<JointTrajectory::Row> rows;
+    for (std::size_t knot = 0; knot < 8; ++knot) {
+      times.push_back(static_cast<double>(knot));
+      rows.emplace_back();
+      for (std::size_t joint = 0; joint < robot.joint_count(); ++joint)
+        rows.back().push_back(within(random, 1.5));
+    }
+    trajectories.push_back(JointTrajectory::cubic(times, rows));
+  }
+  std::size_t next = 0;
+  std::size_t contacts = 0;
+  for (auto _ : state) {
+    const auto found = least ? least_clearance(robot, trajectories[next], obstacles[next])
+                             : first_contact(robot, trajectories[next], obstacles[next]);
+    if (found && found->distance < 1e-12) ++contacts;
+    next = next + 1 < kTrajectories ? next + 1 : 0;
+  }
+  state.counters["contacts"] =
+      benchmark::Counter(static_cast<double>(contacts), benchmark::Counter::kAvgIterations);
+}
+
 void register_all() {
   const std::array sets{std::pair{InstructionSet::portable, "portable"},
                         std::pair{InstructionSet::avx2, "avx2"}, std::pair{InstructionSet::avx512, "avx512"}};
@@ -313,6 +388,15 @@ void register_all() {
   }
   benchmark::RegisterBenchmark("merge_drops", merge_drops)->Arg(10000);
   register_queries();
+  for (const bool least : {false, true}) {
+    benchmark::RegisterBenchmark(least ? "robot/least_clearance" : "robot/first_contact", follow_trajectory,
+                                 least)
+        ->Unit(benchmark::kMillisecond)
+        ->Arg(50)
+        ->Arg(100)
+        ->Arg(200)
+        ->Iterations(400);
+  }
   benchmark::RegisterBenchmark("frame", play)->Unit(benchmark::kMillisecond)->Iterations(10000);
 }
 

@@ -15,6 +15,7 @@
 #include "hardball/random.hpp"
 #include "hardball/recording.hpp"
 #include "hardball/responses.hpp"
+#include "hardball/robots.hpp"
 #include "hardball/scenario.hpp"
 #include "hardball/simulation.hpp"
 #include "hardball/surfaces.hpp"

@@ -6,7 +6,8 @@
     header_documentation.py OUTPUT.hpp HEADER...
 
 A comment of the member `run` of the class `Simulation` becomes `doc::Simulation_run`, one of a class or function
-`Simulation` becomes `doc::Simulation`. Of several overloads the first counts.
+`Simulation` becomes `doc::Simulation`. Of several overloads the first counts; that of a function whose first
+parameter is of the class `Robot` is also `doc::function_Robot`.
 """
 
 import re
@@ -15,6 +16,7 @@ from pathlib import Path
 
 CLASS = re.compile(r"^(?:class|struct|enum class) (\w+)")
 MEMBER = re.compile(r"(\w+)(?: final)?(?: : [\w:]+)? ?(?:\(|;| = |\{|,|$)")
+OVERLOAD = re.compile(r"(\w+)\(const (\w+)&")
 TRAILING = re.compile(r"(\w+)(?: = [^;]*?| ?\{\})?[;,] +///< (.*)")
 
 
@@ -40,6 +42,8 @@ def comments_of(lines):
         elif text and not stripped.startswith("template"):
             if found := MEMBER.search(re.sub(r"^(?:explicit|static|virtual|inline|constexpr|struct) ", "", stripped)):
                 yield f"{outer}_{found[1]}" if outer else found[1], text
+            if not outer and (found := OVERLOAD.search(stripped)):
+                yield f"{found[1]}_{found[2]}", text
         elif text:
             continue
         text = []

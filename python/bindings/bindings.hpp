@@ -18,6 +18,7 @@ void bind_thermostats(pybind11::module_& module);
 void bind_measurements(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_packing(pybind11::module_& module);
+void bind_robots(pybind11::module_& module);
 void bind_frames(pybind11::module_& module);
 void bind_commands(pybind11::module_& module);
 void bind_sweep(pybind11::module_& module);

@@ -16,6 +16,7 @@ PYBIND11_MODULE(_hardball, module) {
   bind_measurements(module);
   bind_simulation(module);
   bind_packing(module);
+  bind_robots(module);
   bind_frames(module);
   bind_commands(module);
   bind_sweep(module);

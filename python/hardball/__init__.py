@@ -25,16 +25,20 @@ from ._hardball import (
     Contact,
     Error,
     Heating,
+    JointTrajectory,
     Measurement,
     Merging,
     Mesh,
     NextContact,
+    Obstacles,
     Outcome,
     Processes,
     Quantity,
     RayHit,
     Rescale,
     ResponseTable,
+    Robot,
+    RobotContact,
     RunFailure,
     StepAttempt,
     StepPotential,
@@ -43,8 +47,13 @@ from ._hardball import (
     TabulatedRestitution,
     ViscoelasticRestitution,
     __version__,
+    first_contact,
+    first_contacts,
+    least_clearance,
+    least_clearances,
     measure_names,
     mpi_processes,
+    read_spheres,
 )
 from ._calls import ArgumentError, explain_calls, explained
 from ._commands import Check, Tuning, Verification, VerifiedRun, check, convert, info, tune, verify
@@ -53,6 +62,7 @@ from ._output import Output
 from ._packing import Packing, PackingFailed, pack
 from ._plots import plot
 from ._replica_exchange import ReplicaExchange
+from ._robots import read_joints
 from ._scenario import scenarios
 from ._simulation import Simulation
 from ._sweep import Sweep, sweep
@@ -70,10 +80,12 @@ __all__ = [
     "Error",
     "Frame",
     "Heating",
+    "JointTrajectory",
     "Measurement",
     "Merging",
     "Mesh",
     "NextContact",
+    "Obstacles",
     "Outcome",
     "Output",
     "Packing",
@@ -85,6 +97,8 @@ __all__ = [
     "ReplicaExchange",
     "Rescale",
     "ResponseTable",
+    "Robot",
+    "RobotContact",
     "RunFailure",
     "Simulation",
     "StepAttempt",
@@ -101,12 +115,18 @@ __all__ = [
     "ViscoelasticRestitution",
     "check",
     "convert",
+    "first_contact",
+    "first_contacts",
     "info",
+    "least_clearance",
+    "least_clearances",
     "measure_names",
     "mpi_processes",
     "pack",
     "plot",
     "read",
+    "read_joints",
+    "read_spheres",
     "scenarios",
     "sweep",
     "tune",

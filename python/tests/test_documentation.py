@@ -74,6 +74,9 @@ class Documentation(unittest.TestCase):
             frames = hardball.read("out/trajectory.xyz")
             print(frames[::2][-1].positions[0, 0], frames[0].to_frame(), frames.path)
             print(hardball.check("a.toml")["spheres"], hardball.tune({}).best, hardball.verify("a.toml")[0].collisions)
+            robot = hardball.Robot.from_spheres({"a": [[0, 0, 0, 1]]}, hardball.read_joints("a.urdf"), [("a", "b")])
+            contact = hardball.first_contact(robot, hardball.JointTrajectory.linear([0, 1], [[0], [1]]), hardball.Obstacles())
+            print(None if contact is None else contact.obstacle, len(hardball.read_spheres("a.yml")[1]))
             hardball.plot(simulation.results())"""
         for checked in (["-p", "hardball"], ["-c", textwrap.dedent("            " + calls)]):
             command = [sys.executable, "-B", "-m", "mypy", "--config-file", ROOT / "pyproject.toml", *checked]
@@ -106,7 +109,7 @@ class Documentation(unittest.TestCase):
         self.assertLess(error, 0.05)
 
     def test_the_examples_of_the_documentation_run(self):
-        for page in ("docs/python.md", "docs/python_how_to.md"):
+        for page in ("docs/python.md", "docs/python_how_to.md", "docs/robots.md"):
             with self.subTest(page):
                 self.run_page(page)
 
