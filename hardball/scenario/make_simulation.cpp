@@ -2,11 +2,38 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/scenario/make_simulation.hpp"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/scenario/section.hpp"
 
 namespace hardball {
+namespace {
+
+// What a motion of a scenario drives.
+DrivenMotion driven_motion(const Scenario& scenario, std::size_t motion) {
+  std::vector<SphereId> spheres;
+  std::vector<std::uint32_t> surfaces;
+  SphereId next = 0;
+  for (const SphereGroup& group : scenario.spheres) {
+    for (std::size_t i = 0; i < group.count; ++i, ++next) {
+      if (group.motion == motion) spheres.push_back(next);
+    }
+  }
+  for (std::size_t k = 0; k < scenario.surfaces.size(); ++k) {
+    if (scenario.surfaces[k].motion == motion) surfaces.push_back(static_cast<std::uint32_t>(kFaces + k));
+  }
+  return {scenario.motions[motion].name, scenario.motions[motion].motion, spheres, surfaces};
+}
+
+void drive(const Scenario& scenario, Simulation& simulation) {
+  for (std::size_t k = 0; k < scenario.motions.size(); ++k)
+    made_at(scenario.motions[k].where, [&] { simulation.drive(driven_motion(scenario, k)); });
+}
+
+}  // namespace
 
 Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
                            const OnProgress& on_progress, Processes& processes) {
@@ -16,6 +43,7 @@ Simulation make_simulation(const Scenario& scenario, World start, const EngineOp
                                 : Simulation(std::move(start), options, on_progress);
     if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.run.seed));
     if (scenario.growth) simulation.grow(*scenario.growth);
+    drive(scenario, simulation);
     return simulation;
   } catch (const Error& error) {
     // Of the options, not of the scenario.

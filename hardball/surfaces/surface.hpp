@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <type_traits>
@@ -43,10 +44,15 @@ class HARDBALL_EXPORT Surface {
   /// surface. Error: a number out of range; a direction that is not a unit vector.
   Surface(const Shape& shape, const Vec3& point, const Vec3& velocity = {},
           const SurfaceMaterial& material = {});
+  /// This surface as it moves from `moment` on: its point is at `point` [L] then, and has this velocity
+  /// [L/T]. Error: a number is not finite.
+  Surface moved(const Time& moment, const Vec3& point, const Vec3& velocity) const;
 
   const Shape& shape() const { return shape_; }
   const Vec3& point() const { return point_; }
   const Vec3& velocity() const { return velocity_; }
+  /// When the surface is at its point: zero, or the moment from which it has moved so.
+  const Time& since() const { return since_; }
   const SurfaceMaterial& material() const { return material_; }
   std::string_view name() const;
   /// The shape, of one that oscillates that at rest, for the words by which it is described.
@@ -61,9 +67,10 @@ class HARDBALL_EXPORT Surface {
   Surface at_rest(const Time& moment) const;
 
   /// When a sphere on `path` of this base radius first touches the surface while they approach, at the start
-  /// of the path or of the epoch of its growth, or later; kNever if it never does. A function of these alone.
+  /// of the path, of the epoch of its growth or of the surface's motion, or later; kNever if it never does. A
+  /// function of these alone.
   Time contact_time(const Motion& motion, const Path& path, double radius) const;
-  /// Whether a sphere at the start of `path` approaches the surface: if not, and if it touches it, it does so
+  /// Whether a sphere at that start approaches the surface: if not, and if it touches it, it does so
   /// again only later.
   bool is_approached(const Motion& motion, const Path& path, double radius) const;
   /// A time before which a sphere on `path` does not touch the surface [T], from where it is at `now`.
@@ -81,19 +88,23 @@ class HARDBALL_EXPORT Surface {
   Surface() : shape_(HollowSphere(0)) {}
   static void persist(auto& archive, auto& self) {
     archive(self.shape_, self.point_, self.velocity_, self.material_);
+    if (archive.version() >= kSinceVersion) archive(self.since_);
   }
   bool restored() {
-    *this = Surface(shape_, point_, velocity_, material_);
+    *this = Surface(shape_, point_, velocity_, material_).moved(since_, point_, velocity_);
     return true;
   }
+  static constexpr std::uint32_t kSinceVersion = 15;  // of archives that have since_
 
   Passage passage_of(const Motion& motion, const Path& path, double radius) const;
+  Vec3 path_until(const Time& moment) const;
   Vec3 relative_position(const Vec3& position, const Time& moment) const;
 
   Shape shape_;
   Vec3 point_;
   Vec3 velocity_;
   SurfaceMaterial material_;
+  Time since_;
 };
 
 }  // namespace hardball
