@@ -25,25 +25,26 @@ DrivenMotion driven_motion(const Scenario& scenario, std::size_t motion) {
   for (std::size_t k = 0; k < scenario.surfaces.size(); ++k) {
     if (scenario.surfaces[k].motion == motion) surfaces.push_back(static_cast<std::uint32_t>(kFaces + k));
   }
-  return {scenario.motions[motion].name, scenario.motions[motion].motion, spheres, surfaces};
+  return {scenario.motions[motion].name, scenario.motions[motion].made(scenario.dimensions()), spheres,
+          surfaces};
 }
 
 void drive(const Scenario& scenario, Simulation& simulation) {
-  for (std::size_t k = 0; k < scenario.motions.size(); ++k)
-    made_at(scenario.motions[k].where, [&] { simulation.drive(driven_motion(scenario, k)); });
+  for (std::size_t k = 0; k < scenario.motions.size(); ++k) {
+    const DrivenMotion motion = driven_motion(scenario, k);
+    made_at(scenario.motions[k].where, [&] { simulation.drive(motion); });
+  }
 }
 
-}  // namespace
-
-Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
-                           const OnProgress& on_progress, Processes& processes) {
+// A simulation without the motions.
+Simulation started(const Scenario& scenario, World start, const EngineOptions& options,
+                   const OnProgress& on_progress, Processes& processes) {
   try {
     Simulation simulation = processes.size() > 1
                                 ? Simulation::from_parts(std::move(start), options, processes)
                                 : Simulation(std::move(start), options, on_progress);
     if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.run.seed));
     if (scenario.growth) simulation.grow(*scenario.growth);
-    drive(scenario, simulation);
     return simulation;
   } catch (const Error& error) {
     // Of the options, not of the scenario.
@@ -56,6 +57,15 @@ Simulation make_simulation(const Scenario& scenario, World start, const EngineOp
     throw Error(error.problem(), scenario.name + ": " + error.where(),
                 error.remedy() + (could_shrink ? ", as shrink = true in [start] does with all" : ""));
   }
+}
+
+}  // namespace
+
+Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
+                           const OnProgress& on_progress, Processes& processes) {
+  Simulation simulation = started(scenario, std::move(start), options, on_progress, processes);
+  drive(scenario, simulation);
+  return simulation;
 }
 
 }  // namespace hardball

@@ -24,31 +24,31 @@ MotionDescription read_motion(const Section& section, const std::filesystem::pat
   static_cast<void>(section.need("kind").choice());
   const std::string name = section.need("name").text();
   const std::string where = section.location();
+  const std::optional<Value> tolerance = section.find("tolerance");
+  MotionDescription motion;
+  motion.name = name;
+  motion.where = where;
   if (kind == Keyframes::kName) {
-    const std::filesystem::path file = folder / section.need("file").text();
-    std::vector<Keyframe> rows = read_keyframes(file, dimensions);
-    const std::optional<Value> repeat = section.find("repeat");
-    const std::optional<Value> tolerance = section.find("tolerance");
-    PrescribedMotion motion = made_at(file.string(), [&] {
-      return PrescribedMotion::keyframes(std::move(rows), repeat && repeat->truth(),
-                                         tolerance ? tolerance->number() : 0);
-    });
-    return {name, std::move(motion), file, where};
+    motion.file = folder / section.need("file").text();
+    if (const auto repeat = section.find("repeat")) motion.repeats = repeat->truth();
+    if (tolerance) motion.tolerance = tolerance->number();
+    return motion;
   }
   const double frequency = section.need("frequency").number();
-  const double tolerance = section.need("tolerance").number();
-  return made_at(where, [&]() -> MotionDescription {
-    if (kind == Rotation::kName) {
-      const Vec3 point = section.need("point").vector(dimensions);
-      return {name,
-              PrescribedMotion::rotation(point, read_axis(section, dimensions), frequency, tolerance),
-              {},
-              where};
-    }
-    const Vec3 direction = direction_of(section.need("direction"), "direction", dimensions);
-    const double amplitude = section.need("amplitude").number();
-    return {name, PrescribedMotion::oscillation(direction, amplitude, frequency, tolerance), {}, where};
+  motion.tolerance = section.need("tolerance").number();
+  if (kind == Rotation::kName) {
+    const Vec3 point = section.need("point").vector(dimensions);
+    const Vec3 axis = read_axis(section, dimensions);
+    motion.motion =
+        made_at(where, [&] { return PrescribedMotion::rotation(point, axis, frequency, motion.tolerance); });
+    return motion;
+  }
+  const Vec3 direction = direction_of(section.need("direction"), "direction", dimensions);
+  const double amplitude = section.need("amplitude").number();
+  motion.motion = made_at(where, [&] {
+    return PrescribedMotion::oscillation(direction, amplitude, frequency, motion.tolerance);
   });
+  return motion;
 }
 
 }  // namespace
@@ -65,6 +65,13 @@ std::vector<MotionDescription> read_motions(const Section& root, const std::file
     motions.push_back(std::move(motion));
   }
   return motions;
+}
+
+PrescribedMotion MotionDescription::made(std::size_t dimensions) const {
+  if (motion) return *motion;
+  std::vector<Keyframe> rows = read_keyframes(*file, dimensions);
+  return made_at(file->string(),
+                 [&] { return PrescribedMotion::keyframes(std::move(rows), repeats, tolerance); });
 }
 
 std::size_t motion_named(const Value& name, const std::vector<MotionDescription>& motions) {
@@ -90,7 +97,7 @@ void check_motions(const Scenario& scenario) {
       throw Error("the motion \"" + shortened(motion.name) + "\" drives nothing", motion.where,
                   "add motion = \"" + motion.name + "\" to [[spheres]] or [[walls]], or remove it");
     }
-    if (drives_spheres && scenario.gravity != Vec3{} && motion.motion.tolerance() == 0) {
+    if (drives_spheres && scenario.gravity != Vec3{} && motion.tolerance == 0) {
       throw Error(
           "the motion \"" + shortened(motion.name) + "\" has no tolerance, and there is gravity",
           motion.where,

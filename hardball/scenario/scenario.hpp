@@ -139,11 +139,16 @@ struct BondsDescription {
 };
 
 /// A motion of kinematic spheres and walls: a table [[motions]] of a scenario.
-struct MotionDescription {
+struct HARDBALL_EXPORT MotionDescription {
   std::string name;
-  PrescribedMotion motion;
+  std::optional<PrescribedMotion> motion;     ///< None where it is a table in a file.
   std::optional<std::filesystem::path> file;  ///< The table of keyframes.
+  bool repeats = false;                       ///< Whether the table does.
+  double tolerance = 0;                       ///< [L]
   std::string where;                          ///< Location in the scenario, for messages.
+
+  /// The motion itself; reads the file. Error: see read_keyframes and Keyframes.
+  PrescribedMotion made(std::size_t dimensions) const;
 };
 
 /// The run: the table [run] of a scenario.
