@@ -169,7 +169,8 @@ void bind_motions(py::module_& module) {
       .def_readonly("name", &Driven::name, "The name of the motion, for messages.")
       .def_readonly("motion", &Driven::motion, "The motion that is prescribed.")
       .def_property_readonly(
-          "ids", [](const Driven& self) { return array_around(self.ids); }, "The ids of the spheres that it drives.")
+          "ids", [](const Driven& self) { return array_around(self.ids); },
+          "The ids of the spheres that it drives.")
       .def_property_readonly(
           "surfaces", [](const Driven& self) { return array_around(self.surfaces); },
           "The numbers of its surfaces, from 0.")
