@@ -226,7 +226,7 @@ std::vector<std::string> warnings_of_motions(const Simulation& simulation, const
   if (gap < 2 * simulation.world().largest_radius()) {
     warnings.push_back(fmt::format(
         "walls come as near to each other as {:.3g}, less than the largest diameter: where they squeeze a "
-        "sphere, it bounces between them ever faster, and the run ends",
+        "sphere, it bounces between them ever faster, and the run does not get past that time",
         gap));
   }
   return warnings;
