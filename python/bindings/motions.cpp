@@ -52,7 +52,7 @@ PrescribedMotion function(const Curve& position, double until, double accelerati
   return PrescribedMotion::sampled(place_at, until, acceleration, tolerance, repeat);
 }
 
-std::string text_of(const PrescribedMotion& motion) {
+std::string call_of(const PrescribedMotion& motion) {
   CallText call("Motion." + std::string(motion.name()));
   if (const auto* const rotation = std::get_if<Rotation>(&motion.kind())) {
     call.add("point", rotation->point());
@@ -163,7 +163,7 @@ void bind_motions(py::module_& module) {
           "\"rotation\", \"oscillation\" or \"keyframes\".")
       .def_property_readonly("tolerance", &PrescribedMotion::tolerance,
                              "The greatest distance of the chords from the curve [L].")
-      .def("__repr__", &text_of);
+      .def("__repr__", &call_of);
   py::class_<Driven>(module, "DrivenMotion",
                      "A motion of a simulation, and what it drives, as it was when it was asked for.")
       .def_readonly("name", &Driven::name, "The name of the motion, for messages.")
