@@ -9,6 +9,7 @@
 #include "hardball/error.hpp"
 #include "hardball/event_log.hpp"
 #include "hardball/measures.hpp"
+#include "hardball/motions.hpp"
 #include "hardball/packing.hpp"
 #include "hardball/placement.hpp"
 #include "hardball/processes.hpp"

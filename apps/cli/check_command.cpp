@@ -188,6 +188,17 @@ Json json_of(const Box& box) {
   return json;
 }
 
+std::string describe(const DrivenMotion& motion, const Scenario& scenario) {
+  std::string text(motion.motion().name());
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) text += ", " + to_text(count) + " " + what + (count == 1 ? "" : "s");
+  };
+  add(motion.spheres().size(), "sphere");
+  add(motion.surfaces().size(), "wall");
+  const bool has_chords = std::isfinite(motion.chord()) && scenario.run.until;
+  return has_chords ? text + ", chords of " + readable(motion.chord()) : text;
+}
+
 // The rows of the table, and their values as JSON.
 class Rows {
  public:
@@ -245,6 +256,10 @@ std::vector<TableRow> check_rows(const CheckOptions& options) {
   }
   for (std::uint32_t k = 0; k < space.surfaces().size(); ++k)
     add_wall(wall_name(space, kFaces + k), describe(space.surfaces()[k]));
+  for (const DrivenMotion& motion : simulation.motions()) {
+    const std::string text = describe(motion, scenario);
+    rows.add("motion " + motion.name(), text, "motions/-", {{"name", motion.name()}, {"what", text}});
+  }
   if (const auto& growth = scenario.growth) rows.add("growth", describe(*growth), "growth");
   if (simulation.thermostat())
     rows.add("thermostat", describe(simulation.thermostat()->kind()), "thermostat");
@@ -298,6 +313,9 @@ std::vector<TableRow> check_rows(const CheckOptions& options) {
   if (!forecast.failure.empty()) add_note("a trial of this run failed: " + forecast.failure);
   for (const std::string& note : outlook.notes) add_note(note);
   for (const std::string& warning : warnings_of(scenario, statistics)) add_note(warning);
+  if (!outlook.is_sample) {
+    for (const std::string& warning : warnings_of_motions(simulation, statistics, until)) add_note(warning);
+  }
   if (scenario.has_steps())
     add_note("the numbers expected are those of hard spheres: steps of potentials add events");
   if (outlook.is_sample) {

@@ -145,6 +145,10 @@ class Course {
                              .epoch =
                                  [this, observer](const Growth& epoch) {
                                    if (observer.epoch) write([&] { observer.epoch(epoch); });
+                                 },
+                             .surface =
+                                 [this, observer](std::uint32_t number, const Surface& surface) {
+                                   if (observer.surface) write([&] { observer.surface(number, surface); });
                                  }});
   }
 

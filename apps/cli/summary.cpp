@@ -72,6 +72,10 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
   state.wall_pressure = has_walls ? tally.wall_pressure(box, state.now) : kNoNumber;
   state.cell_edge = if_meant(simulation.cell_edge() > 0, simulation.cell_edge());
   state.walls = summarize_walls(world, tally, state.now);
+  for (const DrivenMotion& motion : simulation.motions()) {
+    state.motions.push_back({motion.name(), std::string(motion.motion().name()), motion.spheres().size(),
+                             motion.surfaces().size(), simulation.work_of(motion)});
+  }
   state.species_counts.resize(scenario.species.size());
   state.bytes_per_sphere =
       static_cast<double>(simulation.memory_bytes()) / static_cast<double>(state.spheres);
@@ -120,6 +124,13 @@ std::string Summary::json() const {
                              {"pressure", number_or_null(wall.pressure)},
                              {"work", wall.tally.work},
                              {"heat", wall.tally.heat}});
+  }
+  for (const MotionSummary& motion : state.motions) {
+    json["motions"].push_back({{"name", motion.name},
+                               {"kind", motion.kind},
+                               {"spheres", motion.spheres},
+                               {"walls", motion.walls},
+                               {"work", motion.work}});
   }
   if (state.thermostat) {
     json["thermostat"] = {{"kind", hardball::name_of(state.thermostat->kind())},
@@ -201,6 +212,8 @@ std::string Summary::table() const {
     add(wall.name, fmt::format("{} contacts, force {:.6g}, work {:.6g}, heat {:.6g}", wall.tally.contacts,
                                wall.force, wall.tally.work, wall.tally.heat));
   }
+  for (const MotionSummary& motion : state.motions)
+    add("motion " + motion.name, fmt::format("{}, work {:.6g}", motion.kind, motion.work));
   if (state.thermostat) {
     add("thermostat",
         fmt::format("{}, {} events, energy given {:.6g}", hardball::name_of(state.thermostat->kind()),

@@ -30,6 +30,15 @@ struct WallSummary {
   double pressure = 0;  ///< [M L^-1 T^-2]
 };
 
+/// What a prescribed motion has done.
+struct MotionSummary {
+  std::string name;
+  std::string kind;
+  std::size_t spheres = 0;  ///< How many it drives.
+  std::size_t walls = 0;
+  double work = 0;  ///< On spheres [M L^2 T^-2].
+};
+
 /// What a simulation has come to.
 struct FinalState {
   std::size_t spheres = 0;
@@ -52,6 +61,7 @@ struct FinalState {
   double wall_pressure = 0;      ///< [M L^-1 T^-2]
   double cell_edge = 0;          ///< [L]
   std::vector<WallSummary> walls = {};
+  std::vector<MotionSummary> motions = {};
   std::vector<std::size_t> species_counts;  ///< As many as the scenario names.
   std::optional<Thermostat> thermostat;
   std::optional<GrowthSchedule> growth;

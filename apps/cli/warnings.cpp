@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -121,6 +122,112 @@ std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatisti
   } else if (std::ranges::any_of(scenario.surfaces, is_round)) {
     warnings.push_back(fmt::format("spheres that lose energy end up sliding along round walls: the run {} {}",
                                    when, unless));
+  }
+  return warnings;
+}
+
+namespace {
+
+// Two spheres of infinite mass that overlap at the start.
+std::optional<std::pair<SphereId, SphereId>> overlapping_kinematic_spheres(const World& world,
+                                                                           const Time& now) {
+  constexpr std::size_t kMost = 4096;  // of more, pairs are too many
+  std::vector<Slot> kinematic;
+  world.for_each_by_id([&](Slot slot) {
+    if (world.is_kinematic(slot)) kinematic.push_back(slot);
+  });
+  if (kinematic.size() > kMost) return std::nullopt;
+  for (std::size_t i = 0; i < kinematic.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      Vec3 apart = world.position(kinematic[i], now) - world.position(kinematic[k], now);
+      if (!world.box().is_sheared()) apart -= world.box().shift(world.box().nearest_image(apart));
+      const double reach = world.radius(kinematic[i], now) + world.radius(kinematic[k], now);
+      if (dot(apart, apart) < reach * reach * (1 - 1e-9))
+        return std::pair(world.id(kinematic[k]), world.id(kinematic[i]));
+    }
+  }
+  return std::nullopt;
+}
+
+// The least distance, over the run, between planes that face each other, of which a motion drives one;
+// infinity if there are none. Looks at the knots of the motions alone.
+double narrowest_gap(Simulation simulation, double until) {
+  constexpr int kKnots = 10000;
+  double least = std::numeric_limits<double>::infinity();
+  for (int knot = 0; knot < kKnots; ++knot) {
+    const auto surfaces = simulation.world().surfaces();
+    for (const DrivenMotion& motion : simulation.motions()) {
+      for (const std::uint32_t number : motion.surfaces()) {
+        const Surface& driven = surfaces[number - kFaces];
+        if (driven.normal() == nullptr) continue;
+        const Vec3 point = driven.at_rest(simulation.now()).point();
+        for (const Surface& other : surfaces) {
+          const bool faces = other.normal() && dot(*other.normal(), *driven.normal()) < -0.999;
+          if (&other != &driven && faces) least = std::min(least, other.distance(point, simulation.now()));
+        }
+        const Box& box = simulation.world().box();
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+          const double along = (*driven.normal())[axis];
+          if (!box.is_wall(axis) || std::fabs(along) < 0.999) continue;
+          least = std::min(least, along < 0 ? point[axis] : box.size()[axis] - point[axis]);
+        }
+      }
+    }
+    double next = std::numeric_limits<double>::infinity();
+    for (const DrivenMotion& motion : simulation.motions()) {
+      if (!motion.surfaces().empty()) next = std::min(next, motion.next());
+    }
+    if (!(next <= until)) break;
+    simulation.run_until(next);
+  }
+  return least;
+}
+
+// The same walls and motions, without spheres.
+Simulation without_spheres(const Simulation& simulation) {
+  Simulation empty(simulation.world().without_spheres());
+  for (const DrivenMotion& motion : simulation.motions()) {
+    if (!motion.surfaces().empty()) {
+      const auto surfaces = motion.surfaces();
+      empty.drive(DrivenMotion(motion.name(), motion.motion(), {}, {surfaces.begin(), surfaces.end()}));
+    }
+  }
+  return empty;
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of_motions(const Simulation& simulation, const GasStatistics& statistics,
+                                             double until) {
+  std::vector<std::string> warnings;
+  if (simulation.motions().empty()) return warnings;
+  if (const auto pair = overlapping_kinematic_spheres(simulation.world(), simulation.now())) {
+    warnings.push_back(fmt::format(
+        "kinematic spheres {} and {} overlap: they pass through each other, and others may be caught between "
+        "them",
+        pair->first, pair->second));
+  }
+  constexpr double kMany = 1000;
+  const double collision_time = mean_free_time(statistics) / static_cast<double>(statistics.spheres);
+  for (const DrivenMotion& motion : simulation.motions()) {
+    const double bodies = static_cast<double>(motion.spheres().size()) +
+                          static_cast<double>(motion.surfaces().size() * statistics.spheres);
+    if (std::isfinite(motion.chord()) && motion.chord() / bodies * kMany < collision_time) {
+      warnings.push_back(fmt::format(
+          "the chords of the motion {} last {:.2g}, far less than the time between collisions: a larger "
+          "tolerance makes the run faster",
+          motion.name(), motion.chord()));
+    }
+  }
+  const bool drives_walls = std::ranges::any_of(
+      simulation.motions(), [](const DrivenMotion& motion) { return !motion.surfaces().empty(); });
+  if (!drives_walls) return warnings;
+  const double gap = narrowest_gap(without_spheres(simulation), until);
+  if (gap < 2 * simulation.world().largest_radius()) {
+    warnings.push_back(fmt::format(
+        "walls come as near to each other as {:.3g}, less than the largest diameter: where they squeeze a "
+        "sphere, it bounces between them ever faster, and the run does not get past that time",
+        gap));
   }
   return warnings;
 }

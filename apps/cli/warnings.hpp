@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
 #include "hardball/theory.hpp"
 
 namespace hardball::cli {
@@ -13,5 +14,11 @@ namespace hardball::cli {
 /// Warnings of what the author of a run may not expect, a sentence each: no spheres can ever touch, or
 /// spheres come to rest by inelastic collapse.
 std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatistics& statistics);
+
+/// Warnings of prescribed motions, a sentence each: kinematic spheres overlap, chords are far shorter than
+/// the time between collisions, or walls or spheres close a gap in which others are. `until`: the end of the
+/// run [T].
+std::vector<std::string> warnings_of_motions(const Simulation& simulation, const GasStatistics& statistics,
+                                             double until);
 
 }  // namespace hardball::cli

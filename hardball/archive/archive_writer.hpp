@@ -28,7 +28,7 @@ class ArchiveWriter {
 
   /// The version of the format written. It counts up whenever the state of any class changes; readers read
   /// all from that of the first release on.
-  static constexpr std::uint32_t kVersion = 14;
+  static constexpr std::uint32_t kVersion = 15;
   static constexpr std::uint32_t kFirstReleased = 14;
   static constexpr bool kIsReading = false;
 

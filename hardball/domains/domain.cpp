@@ -51,6 +51,15 @@ void Domain::change_velocity(SphereId sphere, const Vec3& velocity, const Time& 
   if (ownership_.is_own(*slot)) set_wakeup(*slot);
 }
 
+void Domain::put(NewPlace place, const Time& moment) {
+  const std::optional<Slot> slot = world().find(place.id);
+  if (!slot) return;
+  place.slot = *slot;
+  engine_.put(moment, {&place, 1});
+  begin_ = later(begin_, moment);
+  if (ownership_.is_own(*slot)) set_wakeup(*slot);
+}
+
 void Domain::add(const SphereState& sphere, DomainNumber owner, const Time& moment) {
   const bool is_own = owner == number_;
   if (!is_own && boundary_.block().distance(sphere.path.position) > boundary_.halo().depth) return;

@@ -167,6 +167,9 @@ class Domain {
   /// Changes the velocities of spheres that it holds, at `moment`. Precondition: no window is under way; all
   /// events before it have been handled, and none after it.
   void change_velocity(SphereId sphere, const Vec3& velocity, const Time& moment);
+  /// Gives a sphere a new path, if it holds it, see EngineBase::put; the slot of the place is that elsewhere.
+  /// Precondition: as for change_velocity.
+  void put(NewPlace place, const Time& moment);
   /// Removes a sphere if it holds it. Precondition: as for change_velocity.
   void remove(SphereId sphere, const Time& moment) {
     if (const std::optional<Slot> slot = world().find(sphere)) remove_at(*slot, moment);

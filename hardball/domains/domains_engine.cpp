@@ -354,6 +354,17 @@ void DomainsEngine::change_velocities(const Time& moment, std::span<const NewVel
   });
 }
 
+void DomainsEngine::put(const Time& moment, std::span<const NewPlace> places) {
+  settle();
+  gather();
+  keep_for_rewind();
+  for (const NewPlace& place : places) world_.put(place.slot, moment, place.position, place.after);
+  if (needs_rebuild_) return;
+  group_->each([&](Domain& domain, std::size_t) {
+    for (const NewPlace& place : places) domain.put(place, moment);
+  });
+}
+
 SphereId DomainsEngine::add(const Sphere& sphere, const Time& moment) {
   settle();
   gather();

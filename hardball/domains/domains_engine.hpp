@@ -71,6 +71,7 @@ class DomainsEngine final : public EngineBase {
   std::optional<Event> next_contact(const Time& until) override;
 
   void change_velocities(const Time& moment, std::span<const NewVelocity> changes) override;
+  void put(const Time& moment, std::span<const NewPlace> places) override;
   SphereId add(const Sphere& sphere, const Time& moment) override;
   void remove(SphereId id, const Time& moment) override;
 

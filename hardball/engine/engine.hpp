@@ -146,6 +146,19 @@ class Engine final : public EngineBase {
     }
   }
 
+  void put(const Time& moment, std::span<const NewPlace> places) override {
+    std::vector<Slot> slots;
+    for (const NewPlace& place : places) {
+      const Image folded = forecast_.world().put(place.slot, moment, place.position, place.after);
+      if (needs_rebuild_) continue;
+      HARDBALL_CHECK(moment >= now());
+      forecast_.advance(moment);
+      forecast_.note_new_path(place.slot, folded);
+      slots.push_back(place.slot);
+    }
+    if (!needs_rebuild_) predict_all(forecast_, queue_, slots);
+  }
+
   SphereId add(const Sphere& sphere, const Time& moment) override {
     World& world = forecast_.world();
     const SphereId id = world.add(sphere, moment);

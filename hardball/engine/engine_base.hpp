@@ -19,6 +19,7 @@
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/block.hpp"
+#include "hardball/world/new_place.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/totals.hpp"
 #include "hardball/world/world.hpp"
@@ -95,6 +96,9 @@ class EngineBase {
   /// Changes velocities at `moment`, each of another sphere. Precondition: all events before it have been
   /// handled, and none after it. Cost: a prediction each.
   virtual void change_velocities(const Time& moment, std::span<const NewVelocity> changes) = 0;
+  /// Gives spheres new paths at `moment` that begin where the old ones lead, up to rounding, each of another
+  /// sphere. Precondition and cost: as for change_velocities.
+  virtual void put(const Time& moment, std::span<const NewPlace> places) = 0;
   /// Adds a sphere at `moment`, and returns its id. Precondition: as for change_velocities. Cost: as of a
   /// collision, amortized; O(large spheres) where some are much larger than cells; O(n) in several domains.
   /// Error: see World::add and require_room.

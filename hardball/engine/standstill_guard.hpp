@@ -32,8 +32,9 @@ class StandstillGuard {
             ? "spheres collide without end at time 0: they touch at the start and are locked among "
               "others; make them smaller by a part in 1e9, or place them farther apart"
             : "events without end at time " + time +
-                  ": spheres touch and are locked among others, or the time is too large to "
-                  "resolve their motion; make them a little smaller, or start at an earlier time");
+                  ": spheres touch and are locked among others, walls or kinematic spheres squeeze them, or "
+                  "the time is too large to resolve their motion; make them a little smaller, stop what "
+                  "squeezes them, or start at an earlier time");
   }
 
  private:

@@ -64,7 +64,10 @@ void Tally::record(const Contact& contact) {
     return note_outcome(contact);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const bool is_known_to_conserve = is_elastic_ && contact.first_mass + contact.second_mass < kInfinity;
-  if (!is_known_to_conserve) note_gain(energy_gain_of(contact), contact.time);
+  if (!is_known_to_conserve) {
+    note_gain(energy_gain_of(contact), contact.time);
+    if (!(contact.first_mass + contact.second_mass < kInfinity)) note_kinematic(contact);
+  }
   // As Contact has them, from one root.
   const double distance = length(contact.separation);
   const double virial = -dot(contact.impulse(), contact.separation);
@@ -100,6 +103,14 @@ void Tally::note_wall_contact(const Contact& contact) {
   if (of_growth != 0) growth_work_ += of_growth;
   wall.work += work;
   wall.heat += gain + rotational_energy_gain_of_first(contact) - work - of_growth;
+}
+
+void Tally::note_kinematic(const Contact& contact) {
+  const bool is_first = std::isinf(contact.first_mass);
+  const SphereId sphere = is_first ? contact.first : contact.second;
+  const Vec3& velocity = is_first ? contact.before.first : contact.before.second;
+  const double work = dot(contact.impulse(), velocity);
+  if (work != 0) kinematic_work_[sphere] += is_first ? -work : work;
 }
 
 void Tally::note_outcome(const Contact& contact) {
@@ -141,6 +152,20 @@ void Tally::add(const Tally& other) {
   impact_speed_sum_.add(other.impact_speed_sum_);
   impact_speed_square_sum_.add(other.impact_speed_square_sum_);
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) walls_[wall].add(other.walls_[wall]);
+  for (const auto& [sphere, work] : other.kinematic_work_) kinematic_work_[sphere].add(work);
+}
+
+double Tally::kinematic_work(SphereId sphere) const {
+  return kinematic_work({&sphere, 1});
+}
+
+double Tally::kinematic_work(std::span<const SphereId> spheres) const {
+  ExactSum work;
+  for (const SphereId sphere : spheres) {
+    const auto found = kinematic_work_.find(sphere);
+    if (found != kinematic_work_.end()) work.add(found->second);
+  }
+  return work.value();
 }
 
 WallTally Tally::wall(std::size_t number) const {

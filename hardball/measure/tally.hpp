@@ -5,7 +5,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
+#include <unordered_map>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
@@ -80,6 +82,10 @@ class HARDBALL_EXPORT Tally {
   /// The sums for a wall: a face of the box, or a surface from kFaces on.
   WallTally wall(std::size_t number) const;
   std::size_t wall_count() const { return walls_.size(); }
+  /// The work that a kinematic sphere has done on others through its motion [M L^2 T^-2].
+  double kinematic_work(SphereId sphere) const;
+  /// The work that several kinematic spheres have done on others [M L^2 T^-2].
+  double kinematic_work(std::span<const SphereId> spheres) const;
   /// The time counted up to `now` [T].
   double elapsed(const Time& now) const { return duration(begin_, now); }
 
@@ -101,7 +107,10 @@ class HARDBALL_EXPORT Tally {
             self.gains_, self.collisions_, self.mergers_, self.passes_, self.wall_contacts_,
             self.max_overlap_, self.virial_, self.impact_speed_sum_, self.impact_speed_square_sum_,
             self.keeps_energy_, self.walls_, self.growth_work_, self.steps_passed_, self.steps_refused_);
+    if (archive.version() >= kSinceVersion) archive(self.kinematic_work_);
   }
+
+  static constexpr std::uint32_t kSinceVersion = 15;  // of archives that have kinematic_work_
 
   // The sums of WallTally.
   struct WallSums {
@@ -119,6 +128,8 @@ class HARDBALL_EXPORT Tally {
   // Two spheres have met that did not bounce.
   void note_outcome(const Contact& contact);
   void note_wall_contact(const Contact& contact);
+  // One of two spheres is kinematic.
+  void note_kinematic(const Contact& contact);
   void note_gain(double energy, const Time& now);
 
   Time begin_;
@@ -143,6 +154,7 @@ class HARDBALL_EXPORT Tally {
   bool keeps_energy_ = true;  // between contacts: without gravity and shear
   bool is_elastic_ = false;   // of the world, see set_interactions
   std::vector<WallSums> walls_ = std::vector<WallSums>(kFaces);
+  std::unordered_map<SphereId, ExactSum> kinematic_work_;  // of those that have done some
 };
 
 }  // namespace hardball

@@ -81,6 +81,18 @@ void PaperEngine::change_velocities(const Time& moment, std::span<const NewVeloc
   }
 }
 
+void PaperEngine::put(const Time& moment, std::span<const NewPlace> places) {
+  for (const NewPlace& place : places) {
+    world_.put(place.slot, moment, place.position, place.after);
+    if (needs_rebuild_) continue;
+    HARDBALL_CHECK(moment >= now_);
+    now_ = moment;
+    remove_candidates(place.slot);
+    relocate(place.slot);
+    predict_all(place.slot);
+  }
+}
+
 SphereId PaperEngine::add(const Sphere& sphere, const Time& moment) {
   const SphereId id = world_.add(sphere, moment);
   const auto slot = static_cast<Slot>(world_.size() - 1);

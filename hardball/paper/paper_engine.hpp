@@ -52,6 +52,7 @@ class PaperEngine final : public EngineBase {
   RunStatus run(const RunLimits& limits, ContactSums& sums, const ContactObserver& observer) override;
   std::optional<Event> next_contact(const Time& until) override;
   void change_velocities(const Time& moment, std::span<const NewVelocity> changes) override;
+  void put(const Time& moment, std::span<const NewPlace> places) override;
   SphereId add(const Sphere& sphere, const Time& moment) override;
   void remove(SphereId id, const Time& moment) override;
   bool needs_rebuild() const override { return needs_rebuild_; }

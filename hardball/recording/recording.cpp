@@ -77,7 +77,7 @@ Json json_surface(const Surface& surface, double restitution) {
   if (surface.mesh()) others = json_mesh(*surface.mesh());
   const auto* const moving = std::get_if<OscillatingPlane>(&surface.shape());
   const SurfaceMaterial& material = surface.material();
-  json["point"] = json_vector(surface.point());
+  json["point"] = json_vector(surface.point() - surface.since().value() * surface.velocity());
   json["direction"] = direction;
   json["radius"] = radius;
   if (!others.is_null()) json.update(others);
@@ -367,6 +367,7 @@ std::string to_json(const RecordingHeader& header) {
   json["spheres"] = header.spheres;
   json["bodies"] = header.has_bodies;
   if (header.has_growth) json["growth"] = true;
+  if (header.has_motions) json["motions"] = true;
   json["box"]["size"] = json_vector(size);
   json["box"]["boundary"] = boundary;
   if (!header.box.has_plain_faces()) json["box"]["faces"] = json_faces(header.box);
@@ -403,6 +404,8 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
       in.count(in.member(object, "spheres"), "number of spheres", std::numeric_limits<SphereId>::max() - 1.0);
   header.has_bodies = in.truth(in.member(object, "bodies"));
   in.read(object, "growth", [&](const Json& value) { header.has_growth = in.truth(value); });
+  in.read(object, "motions", [&](const Json& value) { header.has_motions = in.truth(value); });
+  if (header.has_growth && header.has_motions) in.fail("spheres grow, and motions drive surfaces");
   const Json& box = in.member(object, "box");
   header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
   in.read(box, "faces", [&](const Json& value) { in.faces(value, header.box); });
@@ -442,14 +445,14 @@ Orientation Orientation::turned(const Vec3& spin, double duration) const {
 }
 
 void RecordedContact::rewrite(std::vector<RecordedPath>& paths) const {
-  if (outcome == ContactOutcome::pass || is_epoch()) return;
+  if (outcome == ContactOutcome::pass || is_epoch() || is_surface()) return;
   paths[first] = {first_position, first_velocity, time};
   if (is_collision()) paths[static_cast<std::size_t>(second)] = {second_position, second_velocity, time};
 }
 
 void RecordedContact::rewrite(std::vector<RecordedBody>& bodies,
                               const std::vector<RecordedPath>& paths) const {
-  if (outcome == ContactOutcome::pass || is_epoch()) return;
+  if (outcome == ContactOutcome::pass || is_epoch() || is_surface()) return;
   const auto turn = [&](SphereId id, const Vec3& spin) {
     bodies[id].orientation = bodies[id].orientation.turned(bodies[id].spin, time - paths[id].time);
     bodies[id].spin = spin;
@@ -487,6 +490,17 @@ std::vector<RecordedBody> RecordedChunk::bodies_at(double time) const {
     contact.rewrite(paths);
   }
   return all;
+}
+
+std::vector<Surface> RecordedChunk::surfaces_at(double time, std::vector<Surface> surfaces) const {
+  HARDBALL_CHECK(begin <= time && time <= end);
+  for (const RecordedContact& contact : contacts) {
+    if (contact.time > time) break;
+    if (!contact.is_surface()) continue;
+    Surface& surface = surfaces[contact.first - kFaces];
+    surface = surface.moved(Time(contact.time), contact.first_position, contact.first_velocity);
+  }
+  return surfaces;
 }
 
 double RecordedChunk::scale_at(double time) const {

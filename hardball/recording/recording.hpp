@@ -23,10 +23,12 @@ namespace hardball {
 
 /// The layout of the file, see docs/recording.md.
 namespace recording_format {
-/// The version of recordings of spheres that may grow, and of all others.
+/// The version of recordings with surfaces that go on otherwise, of spheres that may grow, and of all others.
+inline constexpr int kVersionWithMotions = 5;
 inline constexpr int kVersionWithGrowth = 4;
 inline constexpr int kVersionWithoutGrowth = 3;
 /// How a file begins, by its version.
+inline constexpr std::string_view kMagicWithMotions = "HBREC005";
 inline constexpr std::string_view kMagicWithGrowth = "HBREC004";
 inline constexpr std::string_view kMagicWithoutGrowth = "HBREC003";
 inline constexpr std::uint64_t kMagicBytes = 8;
@@ -46,9 +48,16 @@ struct Layout {
 
   bool has_bodies = false;
   bool has_growth = false;
+  bool has_motions = false;  ///< Excludes growth.
 
-  int version() const { return has_growth ? kVersionWithGrowth : kVersionWithoutGrowth; }
-  std::string_view magic() const { return has_growth ? kMagicWithGrowth : kMagicWithoutGrowth; }
+  int version() const {
+    if (has_motions) return kVersionWithMotions;
+    return has_growth ? kVersionWithGrowth : kVersionWithoutGrowth;
+  }
+  std::string_view magic() const {
+    if (has_motions) return kMagicWithMotions;
+    return has_growth ? kMagicWithGrowth : kMagicWithoutGrowth;
+  }
   /// Length of what a chunk says of the growth at its begin.
   std::uint64_t growth_bytes() const { return has_growth ? kGrowthBytes : 0; }
   /// Length of what a keyframe says of a sphere.
@@ -78,6 +87,8 @@ struct RecordedForce {
 struct RecordingHeader {
   bool has_bodies = false;  ///< Whether spheres may spin, merge or pass through each other.
   bool has_growth = false;  ///< Whether spheres may grow.
+  /// Whether motions drive surfaces, which then go on otherwise now and then. Excludes growth.
+  bool has_motions = false;
   std::size_t spheres = 0;  ///< Ids are below this; without bodies, all spheres exist at the start.
   Box box = {};
   double begin = 0;                    ///< [T]
@@ -94,7 +105,7 @@ struct RecordingHeader {
   /// What holds spheres that are packed, for viewers; parse_recording_header leaves it out.
   std::vector<RecordedForce> forces = {};
 
-  recording_format::Layout layout() const { return {has_bodies, has_growth}; }
+  recording_format::Layout layout() const { return {has_bodies, has_growth, has_motions}; }
 };
 
 /// One JSON object.
@@ -169,8 +180,11 @@ struct HARDBALL_EXPORT RecordedContact {
   /// The id of the other sphere; `first` where there is no contact; or -(k + 1) for surface k: 0 to 5 are the
   /// faces of the box (see Face), and 6 + i is surface i of the header. kEpoch if an epoch begins: then
   /// `first` is no sphere, and the first two components of `first_position` are its scale and its rate.
+  /// kSurface if a surface goes on otherwise: then `first` is its number, and `first_position` and
+  /// `first_velocity` are those of its point.
   std::int32_t second = 0;
   static constexpr std::int32_t kEpoch = std::numeric_limits<std::int32_t>::min();
+  static constexpr std::int32_t kSurface = kEpoch + 1;
   Vec3 first_position = {};   ///< Center, folded into the box [L].
   Vec3 first_velocity = {};   ///< [L/T]
   Vec3 second_position = {};  ///< Zero unless it is a collision.
@@ -191,7 +205,8 @@ struct HARDBALL_EXPORT RecordedContact {
   Merged merged = {};
 
   bool is_epoch() const { return second == kEpoch; }
-  bool is_wall() const { return second < 0 && !is_epoch(); }
+  bool is_surface() const { return second == kSurface; }
+  bool is_wall() const { return second < 0 && !is_epoch() && !is_surface(); }
   /// Whether two spheres meet, even if they pass through each other.
   bool is_collision() const { return second >= 0 && static_cast<SphereId>(second) != first; }
   /// Precondition: is_epoch().
@@ -224,6 +239,9 @@ struct HARDBALL_EXPORT RecordedChunk {
   /// By id: the bodies after all contacts up to `time` [T]; a sphere that has become part of another has
   /// none. Precondition: begin <= time <= end.
   std::vector<RecordedBody> bodies_at(double time) const;
+  /// The surfaces after all contacts up to `time` [T], which before the chunk were `surfaces`: those of the
+  /// header will do. Precondition: begin <= time <= end.
+  std::vector<Surface> surfaces_at(double time, std::vector<Surface> surfaces) const;
   /// The factor of the radii of the bodies at `time` [1]. Precondition: begin <= time <= end.
   double scale_at(double time) const;
 };

@@ -3,6 +3,7 @@
 #include "hardball/recording/recording_header.hpp"
 #include "hardball/world/step_levels.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -27,6 +28,8 @@ RecordingHeader recording_header(const Simulation& simulation) {
   RecordingHeader header;
   header.has_bodies = needs_bodies(simulation);
   header.has_growth = simulation.growth() || simulation.world().motion().has_growth();
+  header.has_motions = std::ranges::any_of(
+      simulation.motions(), [](const DrivenMotion& motion) { return !motion.surfaces().empty(); });
   header.begin = simulation.time();
   header.cell_edge = simulation.cell_edges();
   header.restitution = restitution_of(simulation).value_or(std::numeric_limits<double>::quiet_NaN());

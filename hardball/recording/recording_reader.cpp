@@ -74,7 +74,7 @@ RecordingReader::RecordingReader(const std::filesystem::path& path, OnDamage on_
   if (magic == "HBREC001" || magic == "HBREC002") {
     throw Error("the recording has a version of before the first release", name_, "record the run again");
   }
-  if (magic != kMagicWithGrowth && magic != kMagicWithoutGrowth)
+  if (magic != kMagicWithMotions && magic != kMagicWithGrowth && magic != kMagicWithoutGrowth)
     refuse("is not a recording of a known version");
   const std::uint64_t text_bytes = read_little_endian<std::uint32_t>(start.data() + kMagicBytes);
   spheres_.offset = text_begin + text_bytes;
@@ -212,6 +212,14 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
     refuse_unless(last <= contact.time && contact.time <= extent.end);
     if (contact.is_epoch()) {
       refuse_unless(header_.has_growth && is_sound(contact.epoch()));
+      contact.outcome = ContactOutcome::pass;
+      last = contact.time;
+      recorded.contacts.push_back(contact);
+      continue;
+    }
+    if (contact.is_surface()) {
+      refuse_unless(header_.has_motions && contact.first >= kFaces && contact.first < walls &&
+                    is_finite(contact.first_position) && is_finite(contact.first_velocity));
       contact.outcome = ContactOutcome::pass;
       last = contact.time;
       recorded.contacts.push_back(contact);

@@ -160,6 +160,7 @@ RecordingWriter::State RecordingWriter::restored(std::string_view saved, const s
 bool RecordingWriter::State::restored() {
   const auto is_among_them = [this](const RecordedContact& contact) {
     if (contact.is_epoch()) return layout.has_growth;
+    if (contact.is_surface()) return layout.has_motions;
     return contact.first < keyframe.size() &&
            (contact.is_wall() || static_cast<std::size_t>(contact.second) < keyframe.size());
   };
@@ -248,11 +249,32 @@ void RecordingWriter::record(const Growth& epoch) {
        .outcome = ContactOutcome::pass});
 }
 
+void RecordingWriter::record(std::uint32_t number, const Surface& surface) {
+  HARDBALL_CHECK(state_.layout.has_motions);
+  add({.time = surface.since().value(),
+       .first = number,
+       .second = RecordedContact::kSurface,
+       .first_position = surface.point(),
+       .first_velocity = surface.velocity(),
+       .outcome = ContactOutcome::pass});
+}
+
+// A chunk begins with the surfaces that have gone on otherwise before it.
+void RecordingWriter::repeat_surfaces() {
+  std::vector<RecordedContact> repeated = state_.surfaces;
+  for (RecordedContact& surface : repeated) {
+    surface.first_position += (state_.begin - surface.time) * surface.first_velocity;
+    surface.time = state_.begin;
+  }
+  state_.contacts.insert(state_.contacts.begin(), repeated.begin(), repeated.end());
+}
+
 void RecordingWriter::add(const RecordedContact& contact) {
   is_untouched_ = false;
   if (state_.contacts.size() >= state_.most_contacts && contact.time > state_.contacts.back().time) {
     write_chunk(state_.contacts.size(), state_.contacts.back().time);
   }
+  if (state_.contacts.empty()) repeat_surfaces();
   state_.contacts.push_back(contact);
 }
 
@@ -307,15 +329,24 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
     if (layout.has_bodies) contact->rewrite(state_.bodies, state_.keyframe);
     contact->rewrite(state_.keyframe);
     if (contact->is_epoch()) state_.epoch = contact->epoch();
+    if (!contact->is_surface()) continue;
+    const auto known = std::ranges::find(state_.surfaces, contact->first, &RecordedContact::first);
+    if (known == state_.surfaces.end()) {
+      state_.surfaces.push_back(*contact);
+    } else {
+      *known = *contact;
+    }
   }
   state_.contacts.erase(state_.contacts.begin(), behind);
   state_.begin = end;
+  if (!state_.contacts.empty()) repeat_surfaces();
 }
 
 Observer recording_observer(RecordingWriter& writer, const Simulation& simulation) {
   return {.contact = [&](const Contact& contact) { writer.record(contact, simulation); },
           .change = [&](const VelocityChange& change) { writer.record(change, simulation.world()); },
-          .epoch = [&](const Growth& epoch) { writer.record(epoch); }};
+          .epoch = [&](const Growth& epoch) { writer.record(epoch); },
+          .surface = [&](std::uint32_t number, const Surface& surface) { writer.record(number, surface); }};
 }
 
 }  // namespace hardball

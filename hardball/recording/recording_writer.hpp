@@ -59,6 +59,9 @@ class HARDBALL_EXPORT RecordingWriter {
   /// Records an epoch of growth that has begun. Precondition: the header says that spheres may grow. Error
   /// (RunFailure): the file cannot be written.
   void record(const Growth& epoch);
+  /// Records that a surface goes on otherwise. Precondition: the header says that motions drive surfaces.
+  /// Error (RunFailure): the file cannot be written.
+  void record(std::uint32_t number, const Surface& surface);
 
   /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts at the time of
   /// the last one are kept for the next chunk, since others may follow at the same time. Error (RunFailure):
@@ -94,11 +97,14 @@ class HARDBALL_EXPORT RecordingWriter {
     std::vector<RecordedBody> bodies;       // of the open chunk, if the layout has them
     std::vector<RecordedContact> contacts;  // of the open chunk, so far
     RecordedEpoch epoch;                    // at the begin of the open chunk
+    std::vector<RecordedContact> surfaces;  // as of the last chunk, those that have gone on otherwise
 
     static void persist(auto& archive, auto& self) {
       archive(self.layout.has_growth, self.file, self.layout.has_bodies, self.most_contacts, self.has_chunks,
               self.begin, self.keyframe, self.bodies, self.contacts, self.epoch);
+      if (archive.version() >= kSinceVersion) archive(self.layout.has_motions, self.surfaces);
     }
+    static constexpr std::uint32_t kSinceVersion = 15;  // of archives that have surfaces
     bool restored();
   };
 
@@ -107,6 +113,7 @@ class HARDBALL_EXPORT RecordingWriter {
   RecordedContact recorded(const Contact& contact) const;
   void add(const RecordedContact& contact);
   void write_chunk(std::size_t contacts, double end);
+  void repeat_surfaces();
 
   OutputFile file_;
   State state_;

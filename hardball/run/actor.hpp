@@ -12,6 +12,8 @@
 
 #include "hardball/geometry/growth.hpp"
 #include "hardball/measure/tally.hpp"
+#include "hardball/motions/driven_motion.hpp"
+#include "hardball/world/new_place.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/world.hpp"
 
@@ -20,8 +22,10 @@ namespace hardball {
 /// What an actor does to the spheres at a moment.
 struct Action {
   std::span<const NewVelocity> changes = {};  ///< In the order of ids; valid until the actor acts again.
-  double energy = 0;                 ///< Given to the spheres by these, without an epoch [M L^2 T^-2].
-  std::optional<Growth> epoch = {};  ///< How spheres grow from then on, if that changes.
+  double energy = 0;                      ///< Given to the spheres by these, without an epoch [M L^2 T^-2].
+  std::optional<Growth> epoch = {};       ///< How spheres grow from then on, if that changes.
+  std::span<const NewPlace> places = {};  ///< New paths of kinematic spheres, if there are no changes.
+  std::span<const NewSurface> surfaces = {};  ///< Surfaces that go on otherwise.
 };
 
 /// An actor changes a run at times of its own. It acts after all contacts whose times round to the same
@@ -48,6 +52,8 @@ class Actor {
   virtual void note_contacts(const Tally&, std::size_t /*spheres*/, const Time& /*moment*/) {}
   /// Whether what it does depends on sums over the contacts.
   virtual bool depends_on_sums() const { return false; }
+  /// Whether it changes more than the paths of spheres, so that it cannot be undone.
+  virtual bool changes_setting() const { return false; }
   /// The energy that the changes of its last action have given to the spheres, if that had an epoch.
   virtual void note_energy(double /*given*/) {}
   /// A sphere has been added or removed.

@@ -42,6 +42,11 @@ void ThermostatActor::note_removed(SphereId sphere) {
   if (thermostat) thermostat->note_removed(sphere);
 }
 
+Action MotionActor::act(const World& world, const Tally&, const Time& moment) {
+  schedule.act(world, moment);
+  return {.places = schedule.places(), .surfaces = schedule.surfaces()};
+}
+
 const Actor& Actors::next() const {
   const Actor* first = &growth;
   for_each([&](const Actor& actor) {
@@ -67,6 +72,12 @@ std::uint64_t Actors::contacts_left(const Tally& tally, std::size_t spheres) con
 bool Actors::depend_on_sums() const {
   bool any = false;
   for_each([&](const Actor& actor) { any = any || actor.depends_on_sums(); });
+  return any;
+}
+
+bool Actors::change_setting() const {
+  bool any = false;
+  for_each([&](const Actor& actor) { any = any || actor.changes_setting(); });
   return any;
 }
 

@@ -8,6 +8,7 @@
 
 #include "hardball/growth/growth_schedule.hpp"
 #include "hardball/memory/value_pointer.hpp"
+#include "hardball/motions/motion_schedule.hpp"
 #include "hardball/run/actor.hpp"
 #include "hardball/thermostats/thermostat.hpp"
 
@@ -44,11 +45,25 @@ class ThermostatActor final : public Actor {
   void note_removed(SphereId sphere) override;
 };
 
+/// The motions that are prescribed, if there are any.
+class MotionActor final : public Actor {
+ public:
+  MotionSchedule schedule;
+
+  std::unique_ptr<Actor> clone() const override { return std::make_unique<MotionActor>(*this); }
+  std::string_view deed() const override { return "a chord of a prescribed motion begins"; }
+  Time next() const override { return Time(schedule.next()); }
+  Action act(const World& world, const Tally& tally, const Time& moment) override;
+  bool changes_setting() const override { return schedule.drives_surfaces(); }
+  void note_removed(SphereId sphere) override { schedule.note_removed(sphere); }
+};
+
 /// The actors of a run: the one place that knows them by name, where a new kind of actor is added.
 class Actors {
  public:
   GrowthActor growth;
   ThermostatActor thermostat;
+  MotionActor motions;
 
   std::vector<ValuePointer<Actor>> own;  ///< What Simulation::add_actor has added.
 
@@ -57,12 +72,14 @@ class Actors {
   void for_each(Visit&& visit) {
     visit(growth);
     visit(thermostat);
+    visit(motions);
     for (ValuePointer<Actor>& actor : own) visit(*actor);
   }
   template <class Visit>
   void for_each(Visit&& visit) const {
     visit(growth);
     visit(thermostat);
+    visit(motions);
     for (const ValuePointer<Actor>& actor : own) visit(*actor);
   }
 
@@ -73,6 +90,8 @@ class Actors {
   std::uint64_t contacts_left(const Tally& tally, std::size_t spheres) const;
   /// Whether what they do depends on sums over the contacts.
   bool depend_on_sums() const;
+  /// Whether what they do cannot be undone by a journal.
+  bool change_setting() const;
   /// A sphere has been added or removed; returns whether they act at other times now.
   bool note_added(SphereId sphere, const Time& now);
   bool note_removed(SphereId sphere);

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "hardball/geometry/growth.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/memory/function.hpp"
+#include "hardball/surfaces/surface.hpp"
 #include "hardball/world/velocity_change.hpp"
 
 namespace hardball {
@@ -18,6 +21,8 @@ struct Observer {
   /// Called when an epoch of growth has begun, after the changes of velocities that belong to it, and with
   /// the last sizes when growth has been stopped.
   Function<void(const Growth&)> epoch = {};
+  /// Called when a surface goes on otherwise than before, with its number.
+  Function<void(std::uint32_t, const Surface&)> surface = {};
 };
 
 }  // namespace hardball

@@ -10,6 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/motions/prescribed_motion.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/world.hpp"
@@ -292,8 +293,11 @@ TableDescription spheres_keys() {
                   "whether their mass is infinite, so that no collision deflects them; two of these pass "
                   "through each other",
                   "true", "false"),
+              key("motion", text(),
+                  "of kinematic spheres, instead of a velocity: the name of the motion that drives them",
+                  "\"stirrer\""),
           },
-      .one_of = {{"placement", "positions"}, {"mean_speed", "temperature", "speed", "velocities"}},
+      .one_of = {{"placement", "positions"}, {"mean_speed", "temperature", "speed", "velocities", "motion"}},
   };
 }
 
@@ -518,6 +522,8 @@ TableDescription walls_keys() {
     if (!is_of_rest) keys.push_back(std::move(key));
   });
   for (const KeyDescription& key : surface_keys()) keys.push_back(key);
+  keys.push_back(
+      key("motion", text(), "instead of `velocity`: the name of the motion that drives it", "\"piston\""));
   return {.title = "[[walls]]", .keys = keys};
 }
 
@@ -598,6 +604,54 @@ TableDescription thermostat_keys() {
   return {.title = "[thermostat]", .keys = keys};
 }
 
+TableDescription motions_keys() {
+  const Names periodic{Rotation::kName, Oscillation::kName};
+  return {
+      .title = "[[motions]]",
+      .keys = {
+          required("kind", choice({Rotation::kName, Oscillation::kName, Keyframes::kName}),
+                   "`\"rotation\"`: about an axis, of kinematic spheres; `\"oscillation\"`: along a line; "
+                   "`\"keyframes\"`: on straight lines from knot to knot of a table",
+                   "\"rotation\""),
+          required("name", text(), "its name, by which `[[spheres]]` and `[[walls]]` refer to it",
+                   "\"stirrer\""),
+          only_for({Rotation::kName},
+                   required("point", vector("L"), "a point of the axis", "[5.0, 5.0, 5.0]")),
+          only_for({Rotation::kName},
+                   key("axis", vector(),
+                       "a vector of any length along the axis, from whose end the rotation is "
+                       "counterclockwise; in two dimensions z, and may be left out",
+                       "[0.0, 0.0, 1.0]")),
+          only_for(
+              {Oscillation::kName},
+              required("direction", vector(), "a vector of any length along the line", "[0.0, 0.0, 1.0]")),
+          only_for({Oscillation::kName},
+                   required("amplitude", number(positive, "L"),
+                            "after the time t, bodies are displaced by amplitude · sin(2π · frequency · t)",
+                            "0.1")),
+          only_for(periodic,
+                   required("frequency", number(finite, "1/T"),
+                            "turns or oscillations in a unit of time; negative for the other way", "0.5")),
+          only_for(
+              {Keyframes::kName},
+              required("file", text(),
+                       "a text file (`.csv`) with a row t, x, y, z for each knot; its path is relative to "
+                       "the scenario. Bodies move by the differences from the first row",
+                       "\"lift.csv\"")),
+          only_for({Keyframes::kName},
+                   key("repeat", truth(),
+                       "whether the motion begins anew at its end, where the first and the "
+                       "last row must agree",
+                       "true", "false")),
+          only_for(periodic, required("tolerance", number(positive, "L"),
+                                      "how far the chords may be from the curve", "1e-6")),
+          only_for(
+              {Keyframes::kName},
+              key("tolerance", number(positive, "L"),
+                  "how far spheres may be from the straight lines, which they need under gravity", "1e-6")),
+      }};
+}
+
 TableDescription measures_keys() {
   Names known{"all"};
   known.insert(known.end(), measure_names().begin(), measure_names().end());
@@ -624,6 +678,8 @@ TableDescription all_keys() {
                        "spheres that are tied together: tethers and chains; see steps.md"),
                    key("thermostat", table(thermostat_keys()),
                        "a thermostat, which exchanges energy with the spheres between contacts"),
+                   key("motions", tables(motions_keys()),
+                       "motions that kinematic spheres and walls follow; see motions.md"),
                    key("growth", table({.title = "[growth]", .keys = keys_of<GrowthRules>()}),
                        "how all spheres grow, or shrink"),
                    key("run", table({.title = "[run]", .keys = keys_of<RunDescription>()}), "the run"),

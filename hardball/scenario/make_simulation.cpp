@@ -2,14 +2,43 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/scenario/make_simulation.hpp"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/scenario/section.hpp"
 
 namespace hardball {
+namespace {
 
-Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
-                           const OnProgress& on_progress, Processes& processes) {
+// What a motion of a scenario drives.
+DrivenMotion driven_motion(const Scenario& scenario, std::size_t motion) {
+  std::vector<SphereId> spheres;
+  std::vector<std::uint32_t> surfaces;
+  SphereId next = 0;
+  for (const SphereGroup& group : scenario.spheres) {
+    for (std::size_t i = 0; i < group.count; ++i, ++next) {
+      if (group.motion == motion) spheres.push_back(next);
+    }
+  }
+  for (std::size_t k = 0; k < scenario.surfaces.size(); ++k) {
+    if (scenario.surfaces[k].motion == motion) surfaces.push_back(static_cast<std::uint32_t>(kFaces + k));
+  }
+  return {scenario.motions[motion].name, scenario.motions[motion].made(scenario.dimensions()), spheres,
+          surfaces};
+}
+
+void drive(const Scenario& scenario, Simulation& simulation) {
+  for (std::size_t k = 0; k < scenario.motions.size(); ++k) {
+    const DrivenMotion motion = driven_motion(scenario, k);
+    made_at(scenario.motions[k].where, [&] { simulation.drive(motion); });
+  }
+}
+
+// A simulation without the motions.
+Simulation started(const Scenario& scenario, World start, const EngineOptions& options,
+                   const OnProgress& on_progress, Processes& processes) {
   try {
     Simulation simulation = processes.size() > 1
                                 ? Simulation::from_parts(std::move(start), options, processes)
@@ -28,6 +57,15 @@ Simulation make_simulation(const Scenario& scenario, World start, const EngineOp
     throw Error(error.problem(), scenario.name + ": " + error.where(),
                 error.remedy() + (could_shrink ? ", as shrink = true in [start] does with all" : ""));
   }
+}
+
+}  // namespace
+
+Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
+                           const OnProgress& on_progress, Processes& processes) {
+  Simulation simulation = started(scenario, std::move(start), options, on_progress, processes);
+  drive(scenario, simulation);
+  return simulation;
 }
 
 }  // namespace hardball

@@ -30,6 +30,13 @@ void read_placement(const Section& section, SphereGroup& group) {
 }
 
 void read_velocities(const Section& section, SphereGroup& group) {
+  if (section.find("motion")) {
+    for (const std::string_view name : kNames<VelocityRule>) {
+      section.refuse_both("motion", name,
+                          "remove one of the two: the motion gives the spheres their velocities", name);
+    }
+    return;
+  }
   std::optional<VelocityRule> rule;
   for (std::size_t i = 0; i < kNames<VelocityRule>.size(); ++i) {
     const std::optional<Value> value = section.find(kNames<VelocityRule>[i]);
@@ -49,7 +56,8 @@ void read_velocities(const Section& section, SphereGroup& group) {
   }
   if (!rule) {
     throw Error("the spheres have no velocities", section.location(),
-                "add mean_speed, temperature, speed (zero for rest) or velocities");
+                "add mean_speed, temperature, speed (zero for rest) or velocities, or the motion of "
+                "kinematic spheres");
   }
   group.velocity_rule = *rule;
 }
@@ -176,6 +184,13 @@ SphereGroup read_spheres(const Section& section, const std::filesystem::path& fo
   if (group.is_kinematic)
     section.refuse_both("mass", "kinematic",
                         "remove one of the two: the mass of kinematic spheres is infinite", "mass");
+  if (const auto name = section.find("motion")) {
+    group.motion = motion_named(*name, scenario.motions);
+    if (!group.is_kinematic) {
+      throw Error("a motion drives spheres that are not kinematic", name->location(),
+                  "add kinematic = true, or remove the motion");
+    }
+  }
   return group;
 }
 

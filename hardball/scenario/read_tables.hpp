@@ -35,7 +35,22 @@ std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensio
 /// are named relative to `folder`. Error, with the location of the value: a key is missing, contradicts
 /// another or is out of range; a mesh cannot be read.
 std::vector<SurfaceDescription> read_surfaces(const Section& root, const std::filesystem::path& folder,
-                                              std::size_t dimensions);
+                                              const Scenario& scenario);
+
+// --- read_motions.cpp ---
+
+/// What the tables [[motions]] of a scenario describe; files are named relative to `folder`. Error, with the
+/// location of the value or the line of the file: a name is given twice, a key is missing, contradicts
+/// another or is out of range, or a file is no table of keyframes.
+std::vector<MotionDescription> read_motions(const Section& root, const std::filesystem::path& folder,
+                                            std::size_t dimensions);
+
+/// The index of the motion of this name. Error, with the location of the name: there is none.
+std::size_t motion_named(const Value& name, const std::vector<MotionDescription>& motions);
+
+/// Error, with its location: a motion drives nothing, a motion of spheres under gravity has no tolerance, or
+/// kinematic spheres have no motion there.
+void check_motions(const Scenario& scenario);
 
 // --- read_spheres.cpp ---
 

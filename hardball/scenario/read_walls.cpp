@@ -84,8 +84,18 @@ MeshShape read_mesh_shape(const Section& section, std::string_view shape,
   });
 }
 
+// The motion that drives a wall, if one does.
+std::optional<std::size_t> read_motion_of_wall(const Section& section, const Scenario& scenario) {
+  const std::optional<Value> name = section.find("motion");
+  if (!name) return std::nullopt;
+  for (const char* const other : {"velocity", "amplitude", "frequency"})
+    section.refuse_both("motion", other, "remove one of the two: the motion moves the wall", other);
+  return motion_named(*name, scenario.motions);
+}
+
 SurfaceDescription read_wall(const Section& section, const std::filesystem::path& folder,
-                             std::size_t dimensions) {
+                             const Scenario& scenario) {
+  const std::size_t dimensions = scenario.dimensions();
   const Value name = section.need("shape");
   static_cast<void>(name.choice());
   const Vec3 point = section.need("point").vector(dimensions);
@@ -99,7 +109,9 @@ SurfaceDescription read_wall(const Section& section, const std::filesystem::path
   Vec3 velocity;
   if (const auto given = section.find("velocity")) velocity = given->vector(dimensions);
   if (std::holds_alternative<Plane>(shape)) shape = read_oscillation(section, shape);
-  return described(shape, point, velocity, material, section.location());
+  SurfaceDescription wall = described(shape, point, velocity, material, section.location());
+  wall.motion = read_motion_of_wall(section, scenario);
+  return wall;
 }
 
 std::vector<Vec3> read_positions(const Section& section, std::size_t dimensions) {
@@ -135,10 +147,11 @@ std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensio
 }
 
 std::vector<SurfaceDescription> read_surfaces(const Section& root, const std::filesystem::path& folder,
-                                              std::size_t dimensions) {
+                                              const Scenario& scenario) {
+  const std::size_t dimensions = scenario.dimensions();
   std::vector<SurfaceDescription> surfaces;
   for (const Section& section : root.sections("walls"))
-    surfaces.push_back(read_wall(section, folder, dimensions));
+    surfaces.push_back(read_wall(section, folder, scenario));
   for (const Section& section : root.sections("obstacles")) {
     const Obstacle obstacle(section.need("radius").number());
     const SurfaceMaterial material = read_material(section);

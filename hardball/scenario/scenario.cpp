@@ -223,10 +223,12 @@ Scenario read_scenario(const Document& document) {
   scenario.gravity = read_gravity(*box, scenario.dimensions());
   read_shear(*box, scenario);
   scenario.species = read_species(root);
+  const std::filesystem::path folder = std::filesystem::path(scenario.name).parent_path();
+  scenario.motions = read_motions(root, folder, scenario.dimensions());
   read_start(root, scenario);
   scenario.faces = read_faces(*box, scenario.dimensions());
-  scenario.surfaces =
-      read_surfaces(root, std::filesystem::path(scenario.name).parent_path(), scenario.dimensions());
+  scenario.surfaces = read_surfaces(root, folder, scenario);
+  check_motions(scenario);
   check_packing_fractions(root, scenario);
   read_response(root, scenario);
   read_potentials(root, scenario);
@@ -272,6 +274,10 @@ Features Scenario::features() const {
   features.add(Feature::steps, has_steps());
   features.add(Feature::merging, merges || std::ranges::any_of(pairs, merge));
   features.add(Feature::kinematic, std::ranges::any_of(spheres, &SphereGroup::is_kinematic));
+  features.add(Feature::motions, !motions.empty());
+  features.add(Feature::undriven, std::ranges::any_of(spheres, [](const SphereGroup& group) {
+                 return group.is_kinematic && !group.motion;
+               }));
   return features;
 }
 

@@ -21,6 +21,7 @@
 #include "hardball/interaction/bounce.hpp"
 #include "hardball/interaction/step_potential.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/motions/prescribed_motion.hpp"
 #include "hardball/placement/radii.hpp"
 #include "hardball/thermostats/thermostat.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
@@ -71,6 +72,7 @@ struct HARDBALL_EXPORT SphereGroup {
   std::vector<Vec3> spins;            ///< Listed spins, shape (count, 3) [1/T]; empty if drawn.
   SpeciesId species = 0;              ///< An index into Scenario::species, if there are any.
   bool is_kinematic = false;          ///< Whether the mass is infinite.
+  std::optional<std::size_t> motion;  ///< What drives them: an index into Scenario::motions.
   std::string where;                  ///< Location in the scenario, for messages.
 
   /// The radius of a sphere of the group [L].
@@ -90,7 +92,8 @@ struct FaceDescription {
 /// [[obstacles]].
 struct SurfaceDescription {
   Surface surface;
-  std::string where;  ///< Location in the scenario, for messages.
+  std::string where;                       ///< Location in the scenario, for messages.
+  std::optional<std::size_t> motion = {};  ///< What drives it: an index into Scenario::motions.
 
   bool is_obstacle() const { return std::holds_alternative<Obstacle>(surface.shape()); }
 };
@@ -133,6 +136,19 @@ struct BondsDescription {
   std::optional<std::filesystem::path> file;  ///< A file with the pairs, instead of `pairs`.
   StepRules rules;
   std::string where;  ///< Location in the scenario, for messages.
+};
+
+/// A motion of kinematic spheres and walls: a table [[motions]] of a scenario.
+struct HARDBALL_EXPORT MotionDescription {
+  std::string name;
+  std::optional<PrescribedMotion> motion;     ///< None where it is a table in a file.
+  std::optional<std::filesystem::path> file;  ///< The table of keyframes.
+  bool repeats = false;                       ///< Whether the table does.
+  double tolerance = 0;                       ///< [L]
+  std::string where;                          ///< Location in the scenario, for messages.
+
+  /// The motion itself; reads the file. Error: see read_keyframes and Keyframes.
+  PrescribedMotion made(std::size_t dimensions) const;
 };
 
 /// The run: the table [run] of a scenario.
@@ -258,6 +274,7 @@ struct HARDBALL_EXPORT Scenario {
   std::vector<PairDescription> pairs;
   std::vector<PotentialDescription> potentials;
   std::vector<BondsDescription> bonds;
+  std::vector<MotionDescription> motions;    ///< Prescribed motions; each drives something.
   std::optional<ThermostatKind> thermostat;  ///< The thermostat; its seed is that of the run.
   std::optional<GrowthRules> growth;         ///< Growth of all spheres, from the start on.
   RunDescription run;

@@ -39,7 +39,7 @@ bool are_kept_moving(const Scenario& scenario) {
     return wall.surface.velocity() != Vec3{} ||
            std::holds_alternative<OscillatingPlane>(wall.surface.shape());
   };
-  return scenario.thermostat || any_of_walls(scenario, is_warm) ||
+  return scenario.thermostat || !scenario.motions.empty() || any_of_walls(scenario, is_warm) ||
          std::ranges::any_of(scenario.faces, face_moves) || std::ranges::any_of(scenario.surfaces, moves);
 }
 

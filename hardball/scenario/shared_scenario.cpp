@@ -22,6 +22,9 @@ std::string named_files(const Scenario& scenario) {
   for (const SphereGroup& group : scenario.spheres) {
     if (group.distribution && !group.distribution->file.empty()) add(group.distribution->file);
   }
+  for (const MotionDescription& motion : scenario.motions) {
+    if (motion.file) add(*motion.file);
+  }
   for (const auto& bond : scenario.bonds) {
     if (bond.file) add(*bond.file);
   }

@@ -10,7 +10,9 @@
 #include "hardball/run/engine_manager.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/simulation/user_data.hpp"
+#include "hardball/world/audit.hpp"
 #include "hardball/world/images.hpp"
+#include "hardball/world/sphere_edit.hpp"
 #include "hardball/world/totals.hpp"
 
 namespace hardball {
@@ -53,6 +55,36 @@ void Simulation::set_thermostat(std::optional<Thermostat> thermostat) {
   is_rescheduled_ = true;
 }
 
+void Simulation::drive(DrivenMotion motion) {
+  check_idle("drive");
+  check_exclusions(world().features() | Feature::motions);
+  if (growth() && !growth()->is_over()) check_exclusions(Feature::motions, Feature::growth, "motions");
+  MotionActor begun = actors_.motions;
+  begun.schedule.add(std::move(motion), world(), now_);
+  manager_->end_look_ahead(now_);
+  const Action first = begun.act(world(), sums_.tally, now_);
+  carry_out(first, now_);
+  tell_of_motion(first, now_);
+  actors_.motions = std::move(begun);
+  is_rescheduled_ = true;
+}
+
+void Simulation::stop_driving() {
+  check_idle("stop_driving");
+  manager_->end_look_ahead(now_);
+  actors_.motions = {};
+  are_driven_ = false;
+  is_rescheduled_ = true;
+}
+
+double Simulation::work_of(const DrivenMotion& motion) const {
+  std::vector<SphereId> spheres(motion.spheres().begin(), motion.spheres().end());
+  spheres.insert(spheres.end(), motion.removed_spheres().begin(), motion.removed_spheres().end());
+  double work = sums_.tally.kinematic_work(spheres);
+  for (const std::uint32_t number : motion.surfaces()) work += sums_.tally.wall(number).work;
+  return work;
+}
+
 void Simulation::add_actor(std::unique_ptr<Actor> actor) {
   check_editable("add_actor");
   if (!actor) throw Error("there is no actor", "add_actor", "give one");
@@ -67,6 +99,7 @@ void Simulation::add_actor(std::unique_ptr<Actor> actor) {
 void Simulation::grow(const GrowthRules& rules, std::optional<double> compressibility) {
   check_editable("grow");
   check_exclusions(world().features() | Feature::growth);
+  if (!motions().empty()) check_exclusions(Feature::motions, Feature::growth, "motions");
   manager_->end_look_ahead(now_);
   GrowthActor growth;
   growth.schedule.emplace(rules);
@@ -131,11 +164,59 @@ void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* 
   tell_of_changes(now_, changes, measures);
 }
 
+void Simulation::put(std::span<const PlaceEdit> edits) {
+  check_idle("put");
+  check_not_growing("put");
+  if (setting().has_steps()) {
+    throw Error("there are potentials of steps, and pairs have levels that depend on their history", "put",
+                "begin a new simulation");
+  }
+  std::vector<PlaceEdit> sorted(edits.begin(), edits.end());
+  std::ranges::sort(sorted, {}, &PlaceEdit::id);
+  const auto twice = std::ranges::adjacent_find(sorted, {}, &PlaceEdit::id);
+  if (twice != sorted.end())
+    throw Error("sphere " + to_text(twice->id) + " is given two places", "put", "give each sphere once");
+  std::vector<SphereState> states;
+  double energy = 0;
+  for (const PlaceEdit& edit : sorted) {
+    if (actors_.motions.schedule.drives(edit.id))
+      throw Error("a motion drives sphere " + to_text(edit.id), "put", "end the motion first");
+    const Slot slot = world().slot_of(edit.id);
+    states.push_back(world().state_of(slot));
+    energy -= kinetic_energy(world(), slot, now_);
+  }
+  manager_->end_look_ahead(now_);
+  manager_->engine().rewind(now_);
+  World& world = manager_->engine().mutable_world();
+  std::vector<NewVelocity> changes;
+  try {
+    for (const PlaceEdit& edit : sorted) {
+      const Slot slot = world.slot_of(edit.id);
+      const Vec3 before = world.velocity(slot, now_);
+      world.put(slot, now_, edit.position, edit.velocity);
+      changes.push_back({slot, before, edit.velocity});
+    }
+    require_no_overlap(world, now_);
+  } catch (...) {
+    for (const SphereState& state : states) {
+      const Slot slot = world.slot_of(state.id);
+      SphereEdit(world, now_, slot).store(slot, state);
+    }
+    manager_->rebuild(now_);
+    throw;
+  }
+  for (const NewVelocity& change : changes) energy += kinetic_energy(world, change.slot, now_);
+  sums_.tally.note_edit(energy, now_);
+  tell_of_changes(now_, changes, nullptr);
+  manager_->rebuild(now_);
+}
+
 SphereId Simulation::add(const Sphere& sphere) {
   check_editable("add");
   check_not_growing("add");
   manager_->end_look_ahead(now_);
   const SphereId id = manager_->engine().add(sphere, now_);
+  are_driven_ = false;
   moving_.reset();
   sums_.tally.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
   is_rescheduled_ |= actors_.note_added(id, now_);

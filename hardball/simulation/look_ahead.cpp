@@ -14,6 +14,7 @@ namespace hardball {
 std::optional<NextContact> Simulation::next_contact(double until) {
   check_idle("next_contact");
   check_not_past(Time(until));
+  check_driven();
   moving_.reset();
   manager_->make_ready(now_);
   EngineBase& engine = manager_->engine();
@@ -38,6 +39,7 @@ std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t 
   const Time until = after(now_, duration);
   check_not_past(until);
   check_moment(until, "duration");
+  check_driven();
   // The listener runs in the middle of a run of the engine.
   if (!activity_.is_idle()) return Simulation(*this).contacts_within(duration, most);
   std::vector<Contact> contacts;
@@ -57,8 +59,8 @@ void Simulation::look_ahead_in_copy(const Time& until, std::uint64_t most,
 // Runs the engine ahead, up to a number of contacts, and rolls it back.
 void Simulation::look_ahead(const Time& until, std::uint64_t most,
                             const Function<void(const Contact&)>& observe) {
-  // A look-ahead does not keep such sums.
-  if (actors_.depend_on_sums()) return look_ahead_in_copy(until, most, observe);
+  // A look-ahead does not keep such sums, nor undo what does not happen to spheres.
+  if (actors_.depend_on_sums() || actors_.change_setting()) return look_ahead_in_copy(until, most, observe);
   const Activity::During running(activity_, Activity::Kind::running);
   moving_.reset();
   const Actors actors = actors_;
@@ -87,7 +89,7 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most,
                                                       Actor::kAnyNumber, unused, {.on_contact = note});
       if (item == RunSchedule::Item::action) {
         last_change = later(schedule.reached(), last_change);
-        carry_out(actors_.next().act(world(), unused.tally, last_change).changes, last_change);
+        carry_out(actors_.next().act(world(), unused.tally, last_change), last_change);
       }
     } while (!schedule.is_over());
   } catch (...) {

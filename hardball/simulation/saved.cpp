@@ -43,7 +43,8 @@ struct Simulation::Saved {
 
   static void persist(auto& archive, auto& self) {
     archive(self.options, self.setting, self.kind, self.now, self.sums.hash, self.sums.tally, self.counters,
-            self.actors.thermostat.thermostat, self.actors.growth.schedule, self.user_data);
+            self.actors.thermostat.thermostat, self.actors.growth.schedule, self.user_data,
+            self.actors.motions.schedule);
   }
 };
 
@@ -51,7 +52,8 @@ std::string Simulation::save() const {
   if (activity_.kind() == Activity::Kind::running) check_idle("save");
   const PostContactState post_contact_state = manager_->engine().post_contact_state();
   return archived(SavedOptions{options()}, engine(), world(), now_, sums_.hash, sums_.tally, thermostat(),
-                  *user_data_, post_contact_state.merged, counters(), post_contact_state.collapse, growth());
+                  *user_data_, post_contact_state.merged, counters(), post_contact_state.collapse, growth(),
+                  actors_.motions.schedule);
 }
 
 Simulation Simulation::load(std::string_view bytes, const std::string& where, Processes& processes) {
@@ -63,7 +65,7 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where, Pr
   Counters counters;
   restore(bytes, where, saved, kind, world, loaded.now_, loaded.sums_.hash, loaded.sums_.tally,
           loaded.actors_.thermostat.thermostat, *loaded.user_data_, post_contact_state.merged, counters,
-          post_contact_state.collapse, loaded.actors_.growth.schedule);
+          post_contact_state.collapse, loaded.actors_.growth.schedule, loaded.actors_.motions.schedule);
   for (const SphereId merged : post_contact_state.merged.ids()) static_cast<void>(world.slot_of(merged));
   check_features(saved.options, processes, world.features());
   loaded.begin_loaded(saved.options, kind, counters, world, where, processes);
@@ -80,6 +82,7 @@ void Simulation::begin_loaded(const EngineOptions& options, EngineKind kind, Cou
   sums_.tally.set_interactions(world.interactions());
   if (now_ < latest_change(world) || sums_.tally.wall_count() != kFaces + world.surfaces().size())
     refuse_archive(where);
+  if (!actors_.motions.schedule.fits(world, now_)) refuse_archive(where);
   ++counters.rebuilds;
   manager_ = ValuePointer<EngineManager>::make(options, processes, kind, counters);
 }

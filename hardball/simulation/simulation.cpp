@@ -133,6 +133,7 @@ RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
 RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
   check_idle("run");
   check_not_past(limits.until);
+  check_driven();
   moving_.reset();
   const Activity::During running(activity_, Activity::Kind::running);
   const ContactObserver listening{.on_contact = [this, measures](const Contact& contact) {
@@ -222,16 +223,44 @@ std::uint64_t Simulation::act(const Time& moment, Measures* measures) {
     begin_epoch(action, actor, moment, measures);
     return size();
   }
-  carry_out(action.changes, moment);
+  carry_out(action, moment);
   sums_.tally.note_edit(action.energy, moment);
   tell_of_changes(moment, action.changes, measures);
-  return std::max<std::uint64_t>(1, action.changes.size());
+  tell_of_motion(action, moment);
+  if (!action.surfaces.empty()) return size();
+  return std::max<std::uint64_t>(1, action.changes.size() + action.places.size());
 }
 
-void Simulation::carry_out(std::span<const NewVelocity> changes, const Time& moment) {
+void Simulation::carry_out(const Action& action, const Time& moment) {
+  EngineBase& engine = manager_->engine();
   // An event in the same double may have carried the engine on.
-  manager_->engine().rewind(moment);
-  manager_->engine().change_velocities(moment, changes);
+  engine.rewind(moment);
+  if (action.surfaces.empty()) {
+    engine.change_velocities(moment, action.changes);
+    if (!action.places.empty()) engine.put(moment, action.places);
+    return;
+  }
+  World& world = engine.mutable_world();
+  for (const NewPlace& place : action.places) world.put(place.slot, moment, place.position, place.after);
+  for (const auto& [number, surface] : action.surfaces) world.set_surface(number, surface);
+  manager_->rebuild(moment);
+}
+
+void Simulation::tell_of_motion(const Action& action, const Time& moment) {
+  moving_.reset();
+  const Activity::During running(activity_, Activity::Kind::running);
+  if (observer_.change) {
+    for (const NewPlace& place : action.places) {
+      // A rebuild may have moved it to another slot.
+      const SphereId id = place.id;
+      const Slot slot = world().slot_of(id);
+      observer_.change(
+          {moment, id, world().mass(slot), world().path(slot).position, place.before, place.after});
+    }
+  }
+  if (observer_.surface) {
+    for (const auto& [number, surface] : action.surfaces) observer_.surface(number, surface);
+  }
 }
 
 void Simulation::begin_epoch(const Action& action, Actor& actor, const Time& moment, Measures* measures) {
@@ -300,6 +329,18 @@ void Simulation::check_editable(const char* what) const {
 void Simulation::check_not_growing(const char* what) const {
   if (!growth() || growth()->is_over()) return;
   check_exclusions(Feature::births, Feature::growth, what);
+}
+
+// Looks at all spheres only where it may matter, and once.
+void Simulation::check_driven() {
+  if (are_driven_ || setting().motion().is_straight()) return;
+  bool are_driven = true;
+  for_each_sphere([&](const World& world, Slot slot) {
+    if (world.is_kinematic(slot) && !actors_.motions.schedule.drives(world.id(slot))) are_driven = false;
+  });
+  if (std::ranges::min(processes().gather(are_driven ? 1 : 0)) == 0)
+    check_exclusions(Feature::undriven, Feature::gravity, "spheres");
+  are_driven_ = true;
 }
 
 void Simulation::check_not_past(const Time& time) const {

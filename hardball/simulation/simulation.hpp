@@ -21,6 +21,7 @@
 #include "hardball/measure/contact_sums.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/memory/value_pointer.hpp"
+#include "hardball/motions/driven_motion.hpp"
 #include "hardball/processes/processes.hpp"
 #include "hardball/queries/queries.hpp"
 #include "hardball/run/activity.hpp"
@@ -33,6 +34,7 @@
 #include "hardball/world/audit.hpp"
 #include "hardball/world/block.hpp"
 #include "hardball/world/new_velocity.hpp"
+#include "hardball/world/place_edit.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/totals.hpp"
 #include "hardball/world/velocity_change.hpp"
@@ -119,6 +121,21 @@ class HARDBALL_EXPORT Simulation {
   /// give a finite time or a number of contacts that will happen. Cost: O(n). Error: as for change_velocity.
   void set_thermostat(std::optional<Thermostat> thermostat);
   const std::optional<Thermostat>& thermostat() const { return actors_.thermostat.thermostat; }
+
+  /// Lets a motion drive kinematic spheres and surfaces from now on. Each chord begins at a time of its own,
+  /// after all contacts that round to the same double as that time, or an earlier one, and before all others.
+  /// With a motion a run seldom ends by itself: give a finite time or a number of contacts that will happen.
+  /// Cost: that of a collision for each sphere, now and for each chord; O(n) for each chord of a surface.
+  /// Error, and nothing changes: a feature excludes prescribed motions; another motion drives one of these;
+  /// see DrivenMotion::begin. Error of the run: see DrivenMotion::act.
+  void drive(DrivenMotion motion);
+  /// Ends all motions: spheres and surfaces keep the velocities that they have.
+  void stop_driving();
+  /// The motions that have begun, in that order.
+  std::span<const DrivenMotion> motions() const { return actors_.motions.schedule.motions(); }
+  /// The work that one of them has done on spheres since the start, also before it began, through the bodies
+  /// that it drives [M L^2 T^-2].
+  double work_of(const DrivenMotion& motion) const;
 
   /// Adds an actor of your own, such as another thermostat, which changes velocities at times of its own; see
   /// Actor. It is not saved: add it again, as it was, after loading. Error: the pointer is null; the actor
@@ -227,6 +244,11 @@ class HARDBALL_EXPORT Simulation {
   /// Changes many velocities between runs with `measures`, which treat it as the action of a thermostat; see
   /// Measures.
   void change_velocities(std::span<const VelocityEdit> edits, Measures& measures);
+  /// Puts spheres elsewhere, with other velocities, now; on an Error, nothing changes. Cost: O(n log n).
+  /// Error: no such sphere, or one is given twice; a motion drives it; a number that is NaN, infinite or out
+  /// of range; spheres overlap, or reach through a wall; spheres grow, or there are potentials of steps; the
+  /// simulation is running.
+  void put(std::span<const PlaceEdit> edits);
   /// Adds a sphere, now. Cost: that of a collision, amortized; O(n) for the first of a larger radius than all
   /// others. Error: spheres grow; see World::add; it overlaps another sphere.
   SphereId add(const Sphere& sphere);
@@ -339,7 +361,8 @@ class HARDBALL_EXPORT Simulation {
   void take_next_listener();
   void call_listener(const Contact& contact, Activity::Kind activity);
   std::uint64_t act(const Time& moment, Measures* measures);
-  void carry_out(std::span<const NewVelocity> changes, const Time& moment);
+  void carry_out(const Action& action, const Time& moment);
+  void tell_of_motion(const Action& action, const Time& moment);
   void begin_epoch(const Action& action, Actor& actor, const Time& moment, Measures* measures);
   void note_removed(SphereId id);
   void look_ahead(const Time& until, std::uint64_t most, const Function<void(const Contact&)>& observe);
@@ -354,6 +377,7 @@ class HARDBALL_EXPORT Simulation {
   void check_editable(const char* what) const;
   void check_not_growing(const char* what) const;
   void check_not_past(const Time& time) const;
+  void check_driven();
 
   ValuePointer<EngineManager> manager_;  // with the engine
   Time now_;
@@ -365,6 +389,7 @@ class HARDBALL_EXPORT Simulation {
   Function<void(const Contact&)> listener_;
   std::optional<Function<void(const Contact&)>> next_listener_;  // set by the listener itself
   Activity activity_;
+  bool are_driven_ = false;      // all kinematic spheres where there is gravity, as far as is known
   bool is_rescheduled_ = false;  // when an actor acts next has changed during a stretch of a run
 };
 

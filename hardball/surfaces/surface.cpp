@@ -50,6 +50,14 @@ Surface::Surface(const Shape& shape, const Vec3& point, const Vec3& velocity, co
   check_material(material, "surface");
 }
 
+Surface Surface::moved(const Time& moment, const Vec3& point, const Vec3& velocity) const {
+  if (!std::isfinite(moment.high))
+    throw Error("a moment of a surface is not finite", "surface", "give a time");
+  Surface moved(shape_, point, velocity, material_);
+  moved.since_ = moment;
+  return moved;
+}
+
 std::string_view Surface::name() const {
   return std::visit(
       [](const auto& shape) -> std::string_view {
@@ -104,7 +112,7 @@ double Surface::largest_sphere() const {
 }
 
 Surface Surface::at_rest(const Time& moment) const {
-  Vec3 point = point_ + (moment.high * velocity_ + moment.low * velocity_);
+  Vec3 point = point_ + path_until(moment);
   std::visit(
       [&](const auto& shape) {
         if constexpr (requires { shape.displacement_at(moment); }) point += shape.displacement_at(moment);
@@ -116,22 +124,31 @@ Surface Surface::at_rest(const Time& moment) const {
 Passage Surface::passage_of(const Motion& motion, const Path& path, double radius) const {
   Time start = path.time;
   Vec3 position = path.position;
+  Vec3 velocity = path.velocity;
   double growth = 0;
   if (motion.has_growth()) {
     start = later(start, motion.growth().begin);
     position = motion.position_at(path, start);
     growth = radius * motion.growth().rate;
   }
+  if (start < since_) {
+    start = since_;
+    const State state = motion.state_at(path, start);
+    position = state.position;
+    velocity = state.velocity;
+  }
   Passage passage{precise_difference(position, point_),
-                  precise_difference(path.velocity, velocity_),
+                  precise_difference(velocity, velocity_),
                   precise(motion.gravity()),
                   radius * motion.scale_at(start),
                   growth,
                   start};
   if (velocity_ == Vec3{}) return passage;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    passage.position[axis] =
-        passage.position[axis] - (product(velocity_[axis], start.high) + product(velocity_[axis], start.low));
+    const double v = velocity_[axis];
+    passage.position[axis] = passage.position[axis] - (product(v, start.high) + product(v, start.low));
+    if (since_ == Time()) continue;
+    passage.position[axis] = passage.position[axis] + (product(v, since_.high) + product(v, since_.low));
   }
   return passage;
 }
@@ -183,8 +200,9 @@ double Surface::free_until(const Motion& motion, const Path& path, double radius
   // More than distance, speed and wait are rounded by.
   constexpr double kRounding = 0x1p-40;
   const Vec3 position = motion.position_at(path, now);
-  const double scale = length(position) + length(point_) + length(velocity_) * std::fabs(now.high) + size;
-  const Vec3 relative = (position - now.high * velocity_) - point_;
+  const double age = now.high - since_.high;
+  const double scale = length(position) + length(point_) + length(velocity_) * std::fabs(age) + size;
+  const Vec3 relative = (position - age * velocity_) - point_;
   const double gap = std::visit(
       [&](const auto& shape) {
         const double distance = shape.distance(relative) - size - kRounding * scale;
@@ -199,8 +217,14 @@ double Surface::free_until(const Motion& motion, const Path& path, double radius
   return rounded_down(now) + (1 - kRounding) * wait;
 }
 
+// What an even motion covers.
+Vec3 Surface::path_until(const Time& moment) const {
+  if (since_ == Time()) return moment.high * velocity_ + moment.low * velocity_;
+  return duration(since_, moment) * velocity_;
+}
+
 Vec3 Surface::relative_position(const Vec3& position, const Time& moment) const {
-  Vec3 relative = (position - point_) - (moment.high * velocity_ + moment.low * velocity_);
+  Vec3 relative = (position - point_) - path_until(moment);
   std::visit(
       [&](const auto& shape) {
         if constexpr (requires { shape.displacement_at(moment); }) relative -= shape.displacement_at(moment);

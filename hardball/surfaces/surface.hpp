@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <type_traits>
@@ -51,10 +52,15 @@ class HARDBALL_EXPORT Surface {
   /// surface. Error: a number out of range; a direction that is not a unit vector.
   Surface(const Shape& shape, const Vec3& point, const Vec3& velocity = {},
           const SurfaceMaterial& material = {});
+  /// This surface as it moves from `moment` on: its point is at `point` [L] then, and has this velocity
+  /// [L/T]. Error: a number is not finite.
+  Surface moved(const Time& moment, const Vec3& point, const Vec3& velocity) const;
 
   const Shape& shape() const { return shape_; }
   const Vec3& point() const { return point_; }
   const Vec3& velocity() const { return velocity_; }
+  /// When the surface is at its point: zero, or the moment from which it has moved so.
+  const Time& since() const { return since_; }
   const SurfaceMaterial& material() const { return material_; }
   /// The material of a feature, which a group of the triangles of a mesh may have for itself.
   const SurfaceMaterial& material_of(std::uint32_t feature) const;
@@ -73,7 +79,8 @@ class HARDBALL_EXPORT Surface {
   Surface at_rest(const Time& moment) const;
 
   /// When a sphere on `path` of this base radius first touches the surface while they approach, at the start
-  /// of the path or of the epoch of its growth, or later; kNever if it never does. A function of these alone.
+  /// of the path, of the epoch of its growth or of the surface's motion, or later; kNever if it never does. A
+  /// function of these alone.
   Time contact_time(const Motion& motion, const Path& path, double radius) const;
   /// The first contact with a mesh from `now` until another time [T], where none has come before; if there is
   /// none until then, a later one or none. Precondition: mesh().
@@ -83,7 +90,7 @@ class HARDBALL_EXPORT Surface {
   /// Precondition: mesh().
   Vec3 towards_feature(const Motion& motion, const Path& path, double radius, const Time& moment,
                        std::uint32_t feature) const;
-  /// Whether a sphere at the start of `path` approaches the surface, or the feature of a mesh: if not, and if
+  /// Whether a sphere at that start approaches the surface, or the feature of a mesh: if not, and if
   /// it touches it, it does so again only later.
   bool is_approached(const Motion& motion, const Path& path, double radius, std::uint32_t feature = 0) const;
   /// A time before which a sphere on `path` does not touch the surface [T], from where it is at `now`.
@@ -101,19 +108,23 @@ class HARDBALL_EXPORT Surface {
   Surface() : shape_(HollowSphere(0)) {}
   static void persist(auto& archive, auto& self) {
     archive(self.shape_, self.point_, self.velocity_, self.material_);
+    if (archive.version() >= kSinceVersion) archive(self.since_);
   }
   bool restored() {
-    *this = Surface(shape_, point_, velocity_, material_);
+    *this = Surface(shape_, point_, velocity_, material_).moved(since_, point_, velocity_);
     return true;
   }
+  static constexpr std::uint32_t kSinceVersion = 15;  // of archives that have since_
 
   Passage passage_of(const Motion& motion, const Path& path, double radius) const;
+  Vec3 path_until(const Time& moment) const;
   Vec3 relative_position(const Vec3& position, const Time& moment) const;
 
   Shape shape_;
   Vec3 point_;
   Vec3 velocity_;
   SurfaceMaterial material_;
+  Time since_;
 };
 
 }  // namespace hardball

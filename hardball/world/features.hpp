@@ -30,6 +30,8 @@ enum class Feature : std::uint8_t {
   oscillating_walls,
   curved_walls,
   obstacle_images,
+  motions,
+  undriven,
   // Of a run.
   thermostat,
   births,

@@ -279,6 +279,12 @@ void Setting::end_growth() {
   derive();
 }
 
+void Setting::set_surface(std::uint32_t number, const Surface& surface) {
+  surfaces_[number - kFaces] = surface;
+  divide_surfaces();
+  derive();
+}
+
 bool Setting::restored() {
   check_setting(box_, motion_, surfaces_);
   refuse_steps_of_passing(interactions_);

@@ -66,6 +66,7 @@ class HARDBALL_EXPORT Setting {
   // Error: the epoch is impossible. Precondition: the features do not exclude growth.
   void set_growth(const Growth& growth);
   void end_growth();
+  void set_surface(std::uint32_t number, const Surface& surface);
   std::size_t memory_bytes() const {
     return surfaces_.capacity() * sizeof(Surface) + other_surfaces_.capacity() * sizeof(std::uint32_t) +
            obstacles_.memory_bytes();

@@ -191,6 +191,25 @@ Image World::rewrite_path(Slot slot, const Time& moment, const Vec3& velocity) {
   return folded;
 }
 
+Image World::put(Slot slot, const Time& moment, const Vec3& position, const Vec3& velocity) {
+  const std::string where = name_of(id(slot));
+  check_vector(velocity, kVelocityNames, where);
+  check_in_plane(velocity, "velocity", where);
+  check_in_plane(position, "position", where);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) check_finite(position[axis], kPositionNames[axis], where);
+  if (!is_moment(moment)) refuse_moment(moment, where);
+  Path path{position, velocity, moment};
+  const Image folded = box().fold(path.position, path.velocity, moment) - this->folded(slot);
+  SphereEdit(*this, moment, slot).store_path(slot, path, folded);
+  return folded;
+}
+
+void World::set_surface(std::uint32_t number, const Surface& surface) {
+  HARDBALL_CHECK(!has_journal_);
+  if (surface.velocity() != Vec3{}) check_exclusions(features() | Feature::moving_walls);
+  Setting::set_surface(number, surface);
+}
+
 void World::set_spin(Slot slot, const Vec3& spin) {
   Spheres::set_spin(slot, spin);
   note_traits();

@@ -38,8 +38,8 @@ class HARDBALL_EXPORT World : CompilationCheck, public Setting, public Spheres {
   /// Positions outside a periodic box are folded into it. Overlaps are not checked here (see audit.hpp).
   /// Error: spheres grow; a number that is NaN, infinite or out of range; a radius, mass or inertia factor
   /// that is not positive; a center closer to a wall than the radius, or more than 2^30 boxes away; a box too
-  /// small to hold the sphere; a kinematic sphere where there is gravity; in two dimensions, a position or
-  /// velocity out of the plane, or a spin within it.
+  /// small to hold the sphere; in two dimensions, a position or velocity out of the plane, or a spin within
+  /// it.
   SphereId add(const Sphere& sphere, const Time& moment = Time(0));
   /// Error: `add` would refuse this sphere.
   void check(const Sphere& sphere) const;
@@ -93,6 +93,14 @@ class HARDBALL_EXPORT World : CompilationCheck, public Setting, public Spheres {
   /// Rewrites a path at `moment`, see SphereEdit: the center where the old path puts it then, folded into the
   /// box, and the new velocity. Returns by how many boxes the center was folded back.
   Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
+
+  /// Gives a sphere a new path at `moment`, as from a center [L], perhaps outside a periodic box, and with a
+  /// velocity [L/T]; returns by how many boxes the center was folded back from where the old path led. Error:
+  /// a number that is NaN, infinite or out of range; in two dimensions, what leaves the plane.
+  Image put(Slot slot, const Time& moment, const Vec3& position, const Vec3& velocity);
+  /// Lets a surface go on as another one of the same shape. Structures that were made for the spheres must be
+  /// rebuilt. Error: a feature of the world excludes walls that move. Precondition: there is no journal.
+  void set_surface(std::uint32_t number, const Surface& surface);
 
   /// Error, and nothing changes: the interactions exclude each other, or a feature of the world.
   void set_interactions(const Interactions& interactions);

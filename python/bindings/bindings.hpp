@@ -15,6 +15,7 @@ void bind_box(pybind11::module_& module);
 void bind_steps(pybind11::module_& module);
 void bind_responses(pybind11::module_& module);
 void bind_thermostats(pybind11::module_& module);
+void bind_motions(pybind11::module_& module);
 void bind_measurements(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_packing(pybind11::module_& module);

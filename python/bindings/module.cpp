@@ -13,6 +13,7 @@ PYBIND11_MODULE(_hardball, module) {
   bind_steps(module);
   bind_responses(module);
   bind_thermostats(module);
+  bind_motions(module);
   bind_measurements(module);
   bind_simulation(module);
   bind_packing(module);

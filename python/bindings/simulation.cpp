@@ -208,6 +208,7 @@ void bind_simulation(py::module_& module) {
   bind_state(simulation);
   bind_queries(simulation);
   bind_edits(simulation);
+  bind_driving(simulation);
   bind_saving(simulation);
   bind_replay(simulation);
   bind_output(simulation);

@@ -17,6 +17,7 @@ void bind_answers(pybind11::module_& module);
 void bind_state(SimulationClass& simulation);
 void bind_queries(SimulationClass& simulation);
 void bind_edits(SimulationClass& simulation);
+void bind_driving(SimulationClass& simulation);
 void bind_saving(SimulationClass& simulation);
 void bind_replay(SimulationClass& simulation);
 void bind_output(SimulationClass& simulation);

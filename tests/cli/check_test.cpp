@@ -53,6 +53,52 @@ std::string gas(const std::string& count, const std::string& size, const std::st
          "\nradius = 0.5\nplacement = 'random'\ntemperature = 1.0\n[run]\nuntil = 10.0\n";
 }
 
+TEST_F(WhatCheckExpects, WarnsOfMotions) {
+  write_text(folder_ / "lid.csv", "0,0,0,0\n9,0,0,-19.5\n");
+  const std::string scenario = R"([box]
+size = [20, 20, 20]
+boundary = ["periodic", "periodic", "open"]
+[[walls]]
+shape = "plane"
+point = [0, 0, 0]
+normal = [0, 0, 1]
+[[walls]]
+shape = "plane"
+point = [0, 0, 20]
+normal = [0, 0, -1]
+motion = "lid"
+[[motions]]
+kind = "keyframes"
+name = "lid"
+file = "lid.csv"
+[[motions]]
+kind = "rotation"
+name = "arm"
+point = [10, 10, 5]
+axis = [0, 0, 1]
+frequency = 10
+tolerance = 1e-12
+[[spheres]]
+kinematic = true
+motion = "arm"
+radius = 0.5
+positions = [[11, 10, 5], [11.5, 10, 5]]
+[[spheres]]
+radius = 0.5
+positions = [[2, 2, 5]]
+speed = 1
+[run]
+until = 10
+)";
+  const std::string text = output(scenario);
+  EXPECT_EQ(line_of(text, "motion lid"), "keyframes, 1 wall, chords of 9");
+  EXPECT_EQ(line_of(text, "motion arm").find("rotation, 2 spheres, chords of "), 0U);
+  const std::string notes = notes_of(text);
+  EXPECT_NE(notes.find("kinematic spheres 0 and 1 overlap"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("the chords of the motion arm"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("walls come as near to each other as 0.5"), std::string::npos) << notes;
+}
+
 // As dense as a gas that it builds, a gas of 10^8 spheres has the same rates.
 TEST_F(WhatCheckExpects, TellsWhatTooManySpheresToPlaceWouldTake) {
   const std::string few = output(gas("12500", "40"));

@@ -121,6 +121,30 @@ TEST_F(ShippedScenarios, HeatedGranularGasIsHeatedToItsSteadyTemperature) {
   EXPECT_GT(summary["thermostat"]["energy"], 5000);
 }
 
+TEST_F(ShippedScenarios, PistonCompressesAdiabatically) {
+  const json summary = run("piston");
+  ASSERT_EQ(summary["motions"].size(), 1U);
+  EXPECT_EQ(summary["motions"][0]["kind"], "keyframes");
+  EXPECT_EQ(summary["motions"][0]["walls"], 1);
+  const double before = summary["energy"]["initial"].get<double>();
+  const double after = summary["energy"]["final"].get<double>();
+  const double work = summary["motions"][0]["work"].get<double>();
+  EXPECT_NEAR(after - before, work, 1e-9 * work);
+  // T V^(2/3) of the volume of the centers, and the correction for the volume of the spheres; the work of 500
+  // spheres scatters.
+  const double compression = std::pow(39.5 / 19.5, 2.0 / 3) * std::exp(2.0 / 3 * 4 * 0.002);
+  EXPECT_NEAR(after / before / compression, 1, 0.03);
+}
+
+TEST_F(ShippedScenarios, MixerStirs) {
+  const json summary = run("mixer");
+  ASSERT_EQ(summary["motions"].size(), 1U);
+  EXPECT_EQ(summary["motions"][0]["name"], "stirrer");
+  EXPECT_EQ(summary["motions"][0]["spheres"], 7);
+  EXPECT_GT(summary["motions"][0]["work"], 0);
+  EXPECT_LT(summary["max_overlap"], 1e-9);
+}
+
 TEST_F(ShippedScenarios, GrowingSpheresReachTheirPackingFraction) {
   const json summary = run("growing_spheres");
   EXPECT_EQ(summary["growth"]["state"], "reached");

@@ -6,6 +6,7 @@
 // optimization level and machine must print the same.
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -326,6 +327,31 @@ void print(const char* name, World world, std::uint64_t contacts, const Interact
   std::printf("%s %016llx\n", name, static_cast<unsigned long long>(simulation.event_log_hash()));
 }
 
+// Grains that a blade stirs, which falls from knot to knot, above a floor that shakes and below a lid.
+void print_stirred_grains() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Box box({Boundary::periodic, Boundary::periodic, Boundary::open}, {20, 20, 20});
+  const Surface floor(Plane({0, 0, 1}), {});
+  const Surface lid(Plane({0, 0, -1}), {0, 0, 30});
+  World world(box, {0, 0, -1}, {floor, lid});
+  Random random(20);
+  for (int k = 0; k < 400; ++k) {
+    const Vec3 place{1.0 + 2 * (k % 10), 1.0 + 2 * (k / 10 % 10), 4.0 + 2 * (k / 100)};
+    world.add({.position = place, .velocity = maxwell_velocity(random, 0.5), .radius = 0.5});
+  }
+  for (int k = 0; k < 6; ++k) world.add({.position = {11.5 + k, 10, 2.5}, .radius = 0.5, .mass = kInfinity});
+  world.set_interactions(Restitution(0.9, 0.01));
+  Simulation simulation(world, options);
+  simulation.drive(DrivenMotion("blade", PrescribedMotion::rotation({10, 10, 0}, {0, 0, 1}, 0.15, 1e-2),
+                                {400, 401, 402, 403, 404, 405}));
+  simulation.drive(
+      DrivenMotion("floor", PrescribedMotion::oscillation({0, 0, 1}, 0.1, 0.7, 1e-2), {}, {kFaces}));
+  const std::vector<Keyframe> rows{{1, {}}, {4, {0, 0, -8}}, {9, {}}};
+  simulation.drive(DrivenMotion("lid", PrescribedMotion::keyframes(rows, true), {}, {kFaces + 1}));
+  simulation.run_contacts(20000);
+  std::printf("stirred_grains %016llx\n", static_cast<unsigned long long>(simulation.event_log_hash()));
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
@@ -373,4 +399,5 @@ int main(int argument_count, char** arguments) {
   print("wells", random_gas(Box::periodic({20, 20, 20}), cube, 600, 0.5, 1.5, 19), 20000, wells());
   print_chains();
   print("gas_in_shear", gas_in_shear(), 20000, Restitution(0.9));
+  print_stirred_grains();
 }

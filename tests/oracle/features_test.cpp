@@ -35,7 +35,12 @@ constexpr double kRadius = 0.4;
 
 bool is_of_walls(Features features) {
   return features.has(Feature::moving_walls) || features.has(Feature::thermal_walls) ||
-         features.has(Feature::oscillating_walls);
+         features.has(Feature::oscillating_walls) || features.has(Feature::motions);
+}
+
+// Planes of their own instead of faces of the box.
+bool has_planes(Features features) {
+  return features.has(Feature::oscillating_walls) || features.has(Feature::motions);
 }
 
 // Periodic, but for an axis with the walls that are wanted.
@@ -44,8 +49,7 @@ Box make_box(Features features) {
   const std::size_t across = is_flat ? 1 : 2;
   std::array<Boundary, kAxes> boundary{Boundary::periodic, Boundary::periodic, Boundary::periodic};
   if (is_flat) boundary[2] = Boundary::flat;
-  if (is_of_walls(features))
-    boundary[across] = features.has(Feature::oscillating_walls) ? Boundary::open : Boundary::wall;
+  if (is_of_walls(features)) boundary[across] = has_planes(features) ? Boundary::open : Boundary::wall;
   Box box(boundary, {kSize, kSize, kSize});
   if (features.has(Feature::shear)) box.set_shear({.rate = 0.3});
   FaceProperties properties;
@@ -60,12 +64,13 @@ std::vector<Surface> make_surfaces(Features features) {
   const Vec3 up = is_flat ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
   const Vec3 center{kSize / 2, kSize / 2, is_flat ? 0 : kSize / 2};
   std::vector<Surface> surfaces;
-  if (features.has(Feature::oscillating_walls)) {
+  if (has_planes(features)) {
     // Where another of the walls is wanted, too, the one opposite has it.
     SurfaceMaterial material;
     if (features.has(Feature::thermal_walls)) material.temperature = 1;
     const Vec3 velocity = features.has(Feature::moving_walls) ? 0.1 * up : Vec3{};
-    surfaces.emplace_back(OscillatingPlane(up, 0.1, 1), Vec3{});
+    const bool oscillates = features.has(Feature::oscillating_walls);
+    surfaces.emplace_back(oscillates ? Shape(OscillatingPlane(up, 0.1, 1)) : Plane(up), Vec3{});
     surfaces.emplace_back(Plane(-1 * up), kSize * up, velocity, material);
   }
   if (features.has(Feature::curved_walls)) surfaces.emplace_back(HollowSphere(kSize / 2 - 0.05), center);
@@ -106,7 +111,8 @@ void add_spheres(Features features, World& world) {
       sphere.position[axis] = kSpacing * along + 0.4 * (random.uniform() - 0.5);
       sphere.velocity[axis] = random.normal();
     }
-    if (features.has(Feature::kinematic) && i == 5) sphere.mass = std::numeric_limits<double>::infinity();
+    const bool is_kinematic = features.has(Feature::kinematic) || features.has(Feature::undriven);
+    if (is_kinematic && i == 5) sphere.mass = std::numeric_limits<double>::infinity();
     if (features.has(Feature::roughness)) sphere.spin = {0, 0, random.normal()};
     if (is_clear_of_surfaces(world, sphere.position, kRadius, Time(0))) world.add(sphere);
   }
@@ -125,6 +131,19 @@ World make_world(Features features) {
 void begin(Features features, Simulation& simulation) {
   if (features.has(Feature::growth)) simulation.grow({.rate = 0.02});
   if (features.has(Feature::thermostat)) simulation.set_thermostat(Thermostat(Andersen(1, 0.5), 3));
+  const auto oscillation = [&](std::size_t axis) {
+    Vec3 direction;
+    direction[axis] = 1;
+    return PrescribedMotion::oscillation(direction, 0.1, 1, 0.02);
+  };
+  if (features.has(Feature::motions)) {
+    const std::uint32_t plane = kFaces + (features.has(Feature::oscillating_walls) ? 1 : 0);
+    simulation.drive(DrivenMotion("plane", oscillation(features.has(Feature::flat) ? 1 : 2), {}, {plane}));
+  }
+  // Where there is gravity, kinematic spheres need motions.
+  const bool needs_motion = features.has(Feature::gravity) && features.has(Feature::kinematic);
+  if (needs_motion && !features.has(Feature::undriven))
+    simulation.drive(DrivenMotion("sphere", oscillation(0), {5}));
 }
 
 void ask(Features features, const Simulation& simulation) {
@@ -205,7 +224,7 @@ std::optional<Error> refusal_of_measures(Feature other) {
   std::string text =
       "[box]\nsize = [9, 9, 9]\nboundary = ['wall', 'wall', 'wall']\n[measures]\nnames = ['all']\n";
   text += "[[spheres]]\ncount = 2\nradius = 0.5\nplacement = 'random'\nspeed = 1\n";
-  if (other == Feature::kinematic) text += "kinematic = true\n";
+  if (other == Feature::kinematic || other == Feature::undriven) text += "kinematic = true\n";
   if (other == Feature::merging) text += "[response]\nkind = 'merge'\n";
   if (other == Feature::growth) text += "[growth]\nrate = 0.1\n";
   try {
@@ -218,7 +237,7 @@ std::optional<Error> refusal_of_measures(Feature other) {
 }
 
 std::optional<Error> refusal(Feature a, Feature b) {
-  if (b == Feature::measures && (a == Feature::kinematic || a == Feature::merging))
+  if (b == Feature::measures && (a == Feature::kinematic || a == Feature::undriven || a == Feature::merging))
     return refusal_of_measures(a);
   try {
     try_out(Features(a) | b);
@@ -247,6 +266,7 @@ TEST_P(EveryPairOfFeatures, AgreesOrIsRefusedAsTheTableSays) {
     Features features = Features(a) | b;
     // Obstacles are no planes.
     features.add(Feature::curved_walls, features.has(Feature::obstacle_images));
+    features.add(Feature::kinematic, features.has(Feature::undriven));
     const Exclusion* const pair = find_exclusion(features);
     const std::optional<Error> error = refusal(a, b);
     ASSERT_EQ(error.has_value(), pair != nullptr) << (error ? error->what() : "it was not refused");

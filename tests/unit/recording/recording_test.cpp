@@ -961,6 +961,56 @@ TEST(RecordedGrowth, HasSpheresTouchAtTheirContacts) {
 }
 
 // Spheres that do not grow are recorded in the version that earlier readers know.
+// Spheres under a lid that moves, in two sittings: at each contact with it, spheres touch it where it is.
+TEST(RecordedMotions, HaveSpheresTouchTheirWalls) {
+  const ScratchFolder folder;
+  const Surface floor(Plane({0, 0, 1}), {});
+  const Surface lid(Plane({0, 0, -1}), {0, 0, 10});
+  World world(Box({Boundary::periodic, Boundary::periodic, Boundary::open}, {10, 10, 10}), {}, {floor, lid});
+  for (SphereId k = 0; k < 50; ++k) {
+    const double x = 1 + 2 * (k % 5);
+    const double y = 1 + 2 * (k / 5 % 5);
+    world.add({.position = {x, y, 2.5 + 2 * (k / 25)}, .velocity = {0.1 * x, 0.2, 1}, .radius = 0.5});
+  }
+  Simulation simulation(world);
+  const auto motion = PrescribedMotion::oscillation({0, 0, 1}, 2, 0.1, 0.2);
+  simulation.drive(DrivenMotion("lid", motion, {}, {kFaces + 1}));
+  simulation.run_until(1);
+  std::optional<RecordingWriter> writer;
+  writer.emplace(folder / "lid.hbr", recording_header(simulation), simulation.world());
+  simulation.observe(recording_observer(*writer, simulation));
+  simulation.run_until(30);
+  const std::string saved = writer->save();
+  writer.reset();
+  writer.emplace(folder / "lid.hbr", saved);
+  std::vector<Surface> middle;
+  simulation.run_until(33);
+  middle.assign(simulation.world().surfaces().begin(), simulation.world().surfaces().end());
+  simulation.run_until(120);
+  writer->close(simulation.time());
+  simulation.observe({});
+  RecordingReader reader(folder / "lid.hbr");
+  EXPECT_EQ(reader.header().layout().version(), 5);
+  ASSERT_GT(reader.chunks().size(), 2U);
+  std::size_t touches = 0;
+  std::size_t changes = 0;
+  reader.verify([&](const RecordedChunk& chunk) {
+    for (const RecordedContact& contact : chunk.contacts) {
+      changes += contact.is_surface() ? 1U : 0U;
+      if (!contact.is_wall()) continue;
+      const auto number = static_cast<std::size_t>(~contact.second) - kFaces;
+      const Surface surface = chunk.surfaces_at(contact.time, reader.header().surfaces)[number];
+      ASSERT_NEAR(surface.distance(contact.first_position, Time(contact.time)), 0.5, 1e-12);
+      ++touches;
+    }
+    if (!(chunk.begin <= 33 && 33 <= chunk.end)) return;
+    const Surface recorded = chunk.surfaces_at(33, reader.header().surfaces)[1];
+    EXPECT_NEAR(recorded.at_rest(Time(33)).point().z, middle[1].at_rest(Time(33)).point().z, 1e-12);
+  });
+  EXPECT_GT(touches, 500U);
+  EXPECT_GT(changes, 50U);
+}
+
 TEST(RecordedGrowth, IsNotInOtherRecordings) {
   const ScratchFolder folder;
   Simulation simulation(make_gas({.count = 20, .packing_fraction = 0.2}));

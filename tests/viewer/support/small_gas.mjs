@@ -171,7 +171,8 @@ export function writeRecording(header, radii, masses, chunks) {
   };
   const numbers = (values) => Buffer.from(Float64Array.from(values).buffer);
   const integers = (...values) => Buffer.from(Uint32Array.from(values, (value) => value >>> 0).buffer);
-  seal(Buffer.from(grows ? 'HBREC004' : 'HBREC003'), integers(text.length), Buffer.from(text), numbers([...radii, ...masses]));
+  const magic = grows ? 'HBREC004' : header.motions ? 'HBREC005' : 'HBREC003';
+  seal(Buffer.from(magic), integers(text.length), Buffer.from(text), numbers([...radii, ...masses]));
   for (const { begin, end, epoch = [], keyframe, bodies = [], contacts } of chunks) {
     const rest = Buffer.concat([
       numbers([...epoch, ...keyframe, ...bodies]),

@@ -75,6 +75,7 @@ export class Viewer {
     });
     this.player = new Player(source, this.store);
     this.playback = this.player.playback;
+    this.playback.surfaces = this.surfaces;
     this.bodies = this.playback.bodies;
     this.spheresAtStart = this.bodies.count;
     /** Whether spheres may spin, merge, and pass through each other. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 import { kPathNumbers } from '../recording/chunk.js';
 import { Bodies } from './bodies.js';
+import { kBoxFaces } from './surfaces.js';
 
 /**
  * The paths that hold at one time, and how they change as time moves.
@@ -34,6 +35,8 @@ export class Playback {
     this.collisionsAtBegin = new CollisionsAtBegin();
     /** The epoch of growth; see Chunk. */
     this.epoch = { since: 0, scale: 1, rate: 0 };
+    /** The surfaces of the header, which motions may drive. */
+    this.surfaces = [];
   }
 
   /** What radii at the start are multiplied by at the time shown. */
@@ -69,6 +72,8 @@ export class Playback {
     this.paths.set(chunk.keyframe);
     this.bodies.set(chunk.bodies);
     this.epoch = chunk.epoch ?? this.epoch;
+    // A chunk begins with those that have gone on otherwise before it.
+    for (const surface of this.surfaces) surface.follow(null);
     this.countBefore(chunk, number);
     this.chunk = chunk;
     this.number = number;
@@ -106,6 +111,10 @@ export class Playback {
     while (this.cursor < contacts && chunk.time(this.cursor) <= time) {
       const k = this.cursor++;
       if (chunk.isEpoch?.(k)) this.epoch = chunk.epochOf(k);
+      if (chunk.isSurface?.(k)) {
+        const driven = chunk.surfaceOf(k);
+        this.surfaces[driven.number - kBoxFaces]?.follow(driven);
+      }
       if (chunk.isPass(k)) continue;
       if (chunk.bodies) this.bodies.pass(chunk, k, this.paths);
       const first = chunk.first(k);

@@ -9,7 +9,7 @@ export const kBoxFaces = 6;
 /** A surface that spheres bounce off, besides the faces of the box. */
 export class Surface {
   /** `entry`: as in the header of a recording; `number`: its place in the list there. */
-  constructor(entry, number) {
+  constructor(entry, number, isDriven = false) {
     /** "plane", "cylinder", "sphere", "obstacle", "cone" or "mesh". */
     this.shape = entry.shape;
     this.point = entry.point;
@@ -27,6 +27,10 @@ export class Surface {
     this.restitution = entry.restitution ?? 1;
     /** The triangles of a mesh around its point; null of other shapes. */
     this.mesh = entry.shape === 'mesh' ? new MeshTriangles(entry.vertices, entry.triangles) : null;
+    /** Whether a motion may drive it. */
+    this.isDriven = isDriven;
+    /** How it moves at the time shown, unless as at the start: since when, its point then, and its velocity. */
+    this.driven = null;
     this.name = `wall ${number}: ${this.shape}`;
   }
 
@@ -35,7 +39,7 @@ export class Surface {
   }
 
   get moves() {
-    return this.oscillates || this.velocity.some((part) => part !== 0);
+    return this.isDriven || this.oscillates || this.velocity.some((part) => part !== 0);
   }
 
   /** Whether contacts with it may change the energy of a sphere. */
@@ -43,8 +47,17 @@ export class Surface {
     return this.moves || this.temperature !== null || this.restitution !== 1;
   }
 
+  /** Lets it go on as `driven` says, see Chunk.surfaceOf, or as at the start if that is null. */
+  follow(driven) {
+    this.driven = driven;
+  }
+
   /** Where its point is at `time` [T]: a point of the plane or of the axis, the center, or the apex [L]. */
   pointAt(time) {
+    if (this.driven) {
+      const { since, point, velocity } = this.driven;
+      return point.map((place, axis) => place + (time - since) * velocity[axis]);
+    }
     const swing = this.oscillates ? this.amplitude * Math.sin(2 * Math.PI * this.frequency * time) : 0;
     return this.point.map((place, axis) => place + time * this.velocity[axis] + swing * this.direction[axis]);
   }
@@ -75,8 +88,8 @@ export class Surface {
 }
 
 /** The surfaces of a recording's header, in its order. */
-export function readSurfaces({ surfaces = [] }) {
-  return surfaces.map((entry, number) => new Surface(entry, number));
+export function readSurfaces({ surfaces = [], motions = false }) {
+  return surfaces.map((entry, number) => new Surface(entry, number, motions));
 }
 
 const kFaces = ['x_min', 'x_max', 'y_min', 'y_max', 'z_min', 'z_max'];

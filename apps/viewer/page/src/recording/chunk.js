@@ -19,6 +19,8 @@ export const kChecksumBytes = 8;
 const kGrowthNumbers = 3;
 const kEpoch = -(2 ** 31); // in place of a contact's second sphere, where an epoch of growth begins
 
+const kSurface = kEpoch + 1; // likewise, where a surface goes on otherwise
+
 // Where the numbers of a contact are, without bodies and with them: how many; the offsets of those of its spheres.
 const kWithoutBodies = { bodies: 0, contact: 14, first: 2, second: 8 };
 const kWithBodies = { bodies: kBodyNumbers, contact: 21, first: 3, second: 12 };
@@ -114,7 +116,7 @@ export class Chunk {
   }
 
   isWall(k) {
-    return this.second(k) < 0 && !this.isEpoch(k);
+    return this.second(k) < 0 && !this.isEpoch(k) && !this.isSurface(k);
   }
 
   /** Whether an epoch of growth begins, and nothing is touched. */
@@ -128,14 +130,30 @@ export class Chunk {
     return { since: this.time(k), scale: this.numbers[place], rate: this.numbers[place + 1] };
   }
 
+  /** Whether a surface goes on otherwise, and nothing is touched. */
+  isSurface(k) {
+    return this.second(k) === kSurface;
+  }
+
+  /** How: the number of the surface, from that of the first face on; since when [T] its point is at `point` [L]. */
+  surfaceOf(k) {
+    const place = this.firstPlace(k);
+    return {
+      number: this.first(k),
+      since: this.time(k),
+      point: [...this.numbers.subarray(place, place + 3)],
+      velocity: [...this.numbers.subarray(place + 3, place + 6)],
+    };
+  }
+
   /** Whether two spheres meet, and do not pass through each other. */
   isCollision(k) {
     return !this.isWall(k) && this.second(k) !== this.first(k) && !this.isPass(k);
   }
 
-  /** Whether no path changes: two spheres pass through each other, or an epoch of growth begins. */
+  /** Whether no path changes: two spheres pass through each other, an epoch of growth begins, or a surface goes on. */
   isPass(k) {
-    if (this.isEpoch(k)) return true;
+    if (this.isEpoch(k) || this.isSurface(k)) return true;
     return this.bodies !== null && this.integers[2 * this.layout.contact * k + 4] === kPass;
   }
 

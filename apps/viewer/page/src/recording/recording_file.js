@@ -3,7 +3,7 @@
 import { Chunk, chunkLength, kChecksumBytes } from './chunk.js';
 import { hasItsChecksum } from './crc32.js';
 
-const kMagics = { plain: 'HBREC003', growing: 'HBREC004' };
+const kMagics = { plain: 'HBREC003', growing: 'HBREC004', driven: 'HBREC005' };
 
 /**
  * Reads a whole recording: its header, radii [L], masses [M], and chunks, which are views of `buffer`.
@@ -17,7 +17,8 @@ export function readRecording(buffer) {
   if (buffer.byteLength - 12 < headerLength) throw new Error('the recording is damaged: it ends within its header');
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 12, headerLength)));
   // So that no damage to its mark turns a recording into one of another version.
-  if (magic !== (header.growth ? kMagics.growing : kMagics.plain)) {
+  const kind = header.motions ? 'driven' : header.growth ? 'growing' : 'plain';
+  if (magic !== kMagics[kind]) {
     throw new Error('the recording is damaged: of another version');
   }
   const radiiStart = 12 + headerLength;

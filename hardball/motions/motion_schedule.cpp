@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/motions/motion_schedule.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+
+bool MotionSchedule::drives(SphereId sphere) const {
+  return std::ranges::any_of(motions_, [&](const DrivenMotion& motion) { return motion.drives(sphere); });
+}
+
+bool MotionSchedule::drives_surface(std::uint32_t number) const {
+  return std::ranges::any_of(motions_, [&](const DrivenMotion& motion) {
+    return std::ranges::binary_search(motion.surfaces(), number);
+  });
+}
+
+bool MotionSchedule::drives_surfaces() const {
+  return std::ranges::any_of(motions_, [](const DrivenMotion& motion) { return !motion.surfaces().empty(); });
+}
+
+void MotionSchedule::add(DrivenMotion motion, const World& world, const Time& now) {
+  const auto refuse = [&](const std::string& what) {
+    throw Error("two motions drive " + what, "motion " + motion.name(), "let one of them drive it");
+  };
+  for (const SphereId sphere : motion.spheres()) {
+    if (drives(sphere)) refuse("sphere " + to_text(sphere));
+  }
+  for (const std::uint32_t number : motion.surfaces()) {
+    if (drives_surface(number)) refuse("surface " + to_text(number));
+  }
+  motion.begin(world, now);
+  motions_.push_back(std::move(motion));
+}
+
+double MotionSchedule::next() const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const DrivenMotion& motion : motions_) next = std::min(next, motion.next());
+  return next;
+}
+
+void MotionSchedule::act(const World& world, const Time& moment) {
+  places_.clear();
+  surfaces_.clear();
+  const double now = next();
+  for (DrivenMotion& motion : motions_) {
+    if (motion.next() == now) motion.act(world, moment, places_, surfaces_);
+  }
+  std::ranges::sort(places_, {}, &NewPlace::id);
+}
+
+bool MotionSchedule::fits(const Setting& setting, const Time& now) const {
+  const auto exists = [&](std::uint32_t number) {
+    return number >= kFaces && number - kFaces < setting.surfaces().size();
+  };
+  return next() >= now.value() && std::ranges::all_of(motions_, [&](const DrivenMotion& motion) {
+           return std::ranges::all_of(motion.surfaces(), exists);
+         });
+}
+
+void MotionSchedule::note_removed(SphereId sphere) {
+  for (DrivenMotion& motion : motions_) motion.note_removed(sphere);
+}
+
+}  // namespace hardball
