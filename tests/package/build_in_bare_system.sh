@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+
+# Builds, runs and installs the program as README.md and docs/install.md say, in the system where this runs, as root, from
+# the clone hardball beside this file; and leaves a wheel in /root/kept, where what was compiled is kept, too.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+export CCACHE_DIR=/root/kept/cache
+DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install git >apt.log 2>&1 || { cat apt.log && false; }
+cd hardball
+./dev demo
+test -s build/demo/report.html
+./dev install /usr/local
+hardball --version
+hardball verify scenarios/newtons_cradle.toml
+./dev wheel
+cp build/wheel/*.whl /root/kept
