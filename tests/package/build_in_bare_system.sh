@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: MIT
 
 # Builds, runs and installs the program as README.md and docs/install.md say, in the system where this runs, as root, from
-# the clone hardball beside this file; and leaves a wheel in /root/kept, where what was compiled is kept, too.
+# the clone hardball beside this file, and compares the golden hashes. Leaves a wheel in /root/kept, where what was
+# compiled is kept, too.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 export CCACHE_DIR=/root/kept/cache
@@ -11,6 +12,9 @@ DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install git
 cd hardball
 ./dev demo
 test -s build/demo/report.html
+cmake --preset release -DHARDBALL_TESTS=OFF -DHARDBALL_EXAMPLES=OFF -DHARDBALL_GOLDEN=ON
+cmake --build --preset release --target golden_hashes
+ctest --test-dir build/release -L golden --no-tests=error --output-on-failure
 ./dev install /usr/local
 hardball --version
 hardball verify scenarios/newtons_cradle.toml
