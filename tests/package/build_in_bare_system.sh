@@ -16,7 +16,7 @@ cmake --preset release -DHARDBALL_TESTS=OFF -DHARDBALL_EXAMPLES=OFF -DHARDBALL_G
 cmake --build --preset release --target golden_hashes
 ctest --test-dir build/release -L golden --no-tests=error --output-on-failure
 ./dev install /usr/local
-hardball --version
-hardball verify scenarios/newtons_cradle.toml
+/usr/local/bin/hardball --version
+/usr/local/bin/hardball verify scenarios/newtons_cradle.toml
 ./dev wheel
 cp build/wheel/*.whl /root/kept
