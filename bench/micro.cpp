@@ -343,8 +343,9 @@ void follow_trajectory(benchmark::State& state, bool least) {
       if (i % 2 == 0) {
         obstacles[k].add_sphere(center, 0.05);
       } else {
-        obstacles[k].add_box(center, {0.1, 0.1, 0.1},
-                             Rotation::from_angles(within(random, 3), within(random, 3), within(random, 3)));
+        obstacles[k].add_box(
+            center, {0.1, 0.1, 0.1},
+            RotationMatrix::from_angles(within(random, 3), within(random, 3), within(random, 3)));
       }
     }
     std::vector<double> times;

@@ -20,6 +20,9 @@ void Forecast::rebuild(const Time& now, const Progress& progress) {
   are_alike_ = world_.are_alike();
   has_walls_ = world_.box().is_any(Boundary::wall) || !world_.other_surfaces().empty();
   has_solids_ = world_.has_solids();
+  do_solids_rest_ = has_solids_ && world_.do_solids_rest();
+  solid_rounding_ = do_solids_rest_ ? rounding_near_solids(world_) : 0;
+  clear_balls_.assign(do_solids_rest_ ? world_.size() : 0, ClearBall());
   note_exclusions();
   for (Slot slot = 0; slot < world_.size(); ++slot) {
     progress.record(slot, world_.size());

@@ -375,13 +375,34 @@ class Forecast {
   void plan_solid(Slot slot) {
     Plan& own = mutable_plan(slot);
     const double first = own.is_bound() ? own.safe_until() : own.contact();
-    const Event met = next_solid_event(world_, slot, now_, std::min(first, own.crossing()));
+    const double until = std::min(first, own.crossing());
+    if (do_solids_rest_ && is_clear_of_solids(slot, until)) return;
+    const Event met = next_solid_event(world_, slot, now_, until);
     if (!met.happens()) return;
     if (own.is_bound() ? met.time.high < own.contact() : met < contact_of(slot)) {
       own.set_wall(met.time, met.second);
     } else if (own.is_bound()) {
       own.lower_safe_until(met.time.high);
     }
+  }
+
+  // Whether a sphere certainly touches no solid until another time, as the ball around it that is clear of
+  // them says. A ball is renewed when the sphere has moved on.
+  bool is_clear_of_solids(Slot slot, double until) {
+    if (slot >= clear_balls_.size()) clear_balls_.resize(world_.size());
+    ClearBall& ball = clear_balls_[slot];
+    const State state = world_.motion().state_at(world_.path(slot), now_);
+    const double elapsed = std::max(0.0, until - rounded_down(now_));
+    const double radius = world_.base_radius(slot) * world_.motion().largest_scale();
+    const double way = elapsed * (length(state.velocity) + 0.5 * elapsed * length(world_.motion().gravity()));
+    const double moved = length(state.position - ball.center);
+    // More than all of these are rounded by.
+    const double margin = solid_rounding_ + 0x1p-40 * (length(state.position) + way + radius);
+    if (moved + way + radius + margin < ball.distance) return true;
+    // Near a solid, looking for one costs less than looking around.
+    if (moved < 0.5 * radius) return false;
+    ball = {state.position, distance_to_solids(world_, state.position)};
+    return way + radius + margin < ball.distance;
   }
 
   void plan_crossing(Slot slot) {
@@ -441,7 +462,15 @@ class Forecast {
   bool is_cached_ = true;  // prefetching all data ahead does not pay
   bool are_alike_ = true;  // all spheres, in radius and mass
   bool has_walls_ = false;
-  bool has_solids_ = false;  // obstacles at rest, meshes
+  // A point, and how far from it there is no solid [L]: true of any sphere.
+  struct ClearBall {
+    Vec3 center;
+    double distance = -kNever.high;
+  };
+  bool do_solids_rest_ = false;
+  double solid_rounding_ = 0;
+  std::vector<ClearBall> clear_balls_;  // by slot
+  bool has_solids_ = false;             // obstacles at rest, meshes
   bool has_passing_pairs_ = false;
   bool has_steps_ = false;            // of potentials
   bool are_steps_bounded_ = false;    // no farther than candidates are apart

@@ -59,7 +59,7 @@ class Kinematics {
  private:
   struct Frame {
     Vec3 origin;
-    Rotation axes;
+    RotationMatrix axes;
     Vec3 velocity;
     Vec3 spin;
   };

@@ -83,7 +83,7 @@ std::size_t Obstacles::add_sphere(const Vec3& center, double radius, const Vec3&
   return add(Ball{center, radius, velocity, time}, kWhere);
 }
 
-std::size_t Obstacles::add_box(const Vec3& center, const Vec3& size, const Rotation& rotation) {
+std::size_t Obstacles::add_box(const Vec3& center, const Vec3& size, const RotationMatrix& rotation) {
   constexpr const char* kWhere = "Obstacles::add_box";
   check_vector(center, "the center", kWhere);
   for (std::size_t axis = 0; axis < kAxes; ++axis) check_positive(size[axis], "an edge", kWhere);

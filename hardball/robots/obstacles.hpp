@@ -11,7 +11,7 @@
 
 #include "hardball/errors/export.hpp"
 #include "hardball/geometry/extent.hpp"
-#include "hardball/geometry/rotation.hpp"
+#include "hardball/geometry/rotation_matrix.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/world/world.hpp"
 
@@ -30,7 +30,7 @@ class HARDBALL_EXPORT Obstacles {
   std::size_t add_sphere(const Vec3& center, double radius, const Vec3& velocity = {}, double time = 0);
   /// A box around `center` with edges of these lengths [L], turned about its center. Error: as for a sphere;
   /// a rotation that is none.
-  std::size_t add_box(const Vec3& center, const Vec3& size, const Rotation& rotation = {});
+  std::size_t add_box(const Vec3& center, const Vec3& size, const RotationMatrix& rotation = {});
   /// All points within a radius of the segment between two points [L]. Error: as for a sphere.
   std::size_t add_capsule(const Vec3& begin, const Vec3& end, double radius);
   /// A half-space: the side of the plane through a point [L] that its normal, of any length, points away
@@ -59,7 +59,7 @@ class HARDBALL_EXPORT Obstacles {
   struct Box {
     Vec3 center;
     Vec3 half;
-    Rotation rotation;
+    RotationMatrix rotation;
   };
   struct Capsule {
     Vec3 begin;

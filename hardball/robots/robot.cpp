@@ -18,7 +18,7 @@ namespace {
 struct Pose {
   std::size_t body = 0;
   Vec3 origin;
-  Rotation rotation;
+  RotationMatrix rotation;
 };
 
 std::string quoted(const std::string& name) {
@@ -81,7 +81,7 @@ std::vector<const Joint*> carriers_of(const std::vector<Joint>& joints,
   return carriers;
 }
 
-Pose placed(const Pose& frame, const Vec3& origin, const Rotation& rotation) {
+Pose placed(const Pose& frame, const Vec3& origin, const RotationMatrix& rotation) {
   return {frame.body, frame.origin + frame.rotation.turned(origin), frame.rotation * rotation};
 }
 
@@ -90,8 +90,8 @@ Pose locked(const Pose& at_zero, const Joint& joint) {
   const Vec3 direction = (1 / length(joint.axis)) * joint.axis;
   if (joint.kind == JointKind::prismatic) return placed(at_zero, *joint.locked * direction, {});
   const auto [sine, cosine] = sine_cosine(*joint.locked);
-  const Rotation axis = Rotation::of_z_into(direction);
-  const Rotation about_z{{cosine, sine, 0}, {-sine, cosine, 0}, {0, 0, 1}};
+  const RotationMatrix axis = RotationMatrix::of_z_into(direction);
+  const RotationMatrix about_z{{cosine, sine, 0}, {-sine, cosine, 0}, {0, 0, 1}};
   return placed(at_zero, {}, axis * (about_z * axis.inverse()));
 }
 
@@ -132,7 +132,7 @@ Robot Robot::from_spheres(const std::vector<Link>& links, const std::vector<Join
         child = joint.kind == JointKind::fixed ? at_zero : locked(at_zero, joint);
         continue;
       }
-      const Rotation axis = Rotation::of_z_into((1 / length(joint.axis)) * joint.axis);
+      const RotationMatrix axis = RotationMatrix::of_z_into((1 / length(joint.axis)) * joint.axis);
       child = Pose{robot.bodies_.size(), {}, axis.inverse()};
       robot.bodies_.push_back({.parent = at_zero.body,
                                .joint = coordinates.at(joint.name),

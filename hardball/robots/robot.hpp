@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "hardball/errors/export.hpp"
-#include "hardball/geometry/rotation.hpp"
+#include "hardball/geometry/rotation_matrix.hpp"
 #include "hardball/geometry/vec3.hpp"
 
 namespace hardball {
@@ -40,11 +40,11 @@ enum class JointKind : std::uint8_t {
 struct Joint {
   std::string name;
   JointKind kind = JointKind::revolute;
-  std::string parent;      ///< The name of the link that carries the joint.
-  std::string child;       ///< The name of the link that the joint moves.
-  Vec3 origin = {};        ///< Where the child's frame has its origin, in the parent's frame [L].
-  Rotation rotation = {};  ///< Turns the child's frame in the parent's, where the joint is at zero.
-  Vec3 axis{0, 0, 1};      ///< In the child's frame; a vector of any length but zero.
+  std::string parent;            ///< The name of the link that carries the joint.
+  std::string child;             ///< The name of the link that the joint moves.
+  Vec3 origin = {};              ///< Where the child's frame has its origin, in the parent's frame [L].
+  RotationMatrix rotation = {};  ///< Turns the child's frame in the parent's, where the joint is at zero.
+  Vec3 axis{0, 0, 1};            ///< In the child's frame; a vector of any length but zero.
   /// The coordinate that the joint keeps, an angle or a length [L]; without one it moves.
   std::optional<double> locked = std::nullopt;
 
@@ -88,12 +88,12 @@ class HARDBALL_EXPORT Robot {
   /// What moves as one: the world, which is the first, or a joint that moves and all links that it carries.
   /// Its frame has the axis of the joint as z.
   struct Body {
-    std::size_t parent = 0;  ///< Comes before its children; the world is its own.
-    std::size_t joint = 0;   ///< Number of the coordinate.
-    bool turns = false;      ///< Whether it turns; otherwise it slides.
-    Vec3 origin;             ///< In the parent's frame, where the joint is at zero [L].
-    Rotation rotation;       ///< Into the parent's frame, where the joint is at zero.
-    double distance = 0;     ///< From the origin of the parent [L].
+    std::size_t parent = 0;   ///< Comes before its children; the world is its own.
+    std::size_t joint = 0;    ///< Number of the coordinate.
+    bool turns = false;       ///< Whether it turns; otherwise it slides.
+    Vec3 origin;              ///< In the parent's frame, where the joint is at zero [L].
+    RotationMatrix rotation;  ///< Into the parent's frame, where the joint is at zero.
+    double distance = 0;      ///< From the origin of the parent [L].
   };
   /// A sphere of a body.
   struct BodySphere {

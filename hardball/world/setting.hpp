@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -46,6 +47,11 @@ class HARDBALL_EXPORT Setting {
   /// Whether there are solids, which are searched in trees and only some way ahead: obstacles at rest, and
   /// meshes.
   bool has_solids() const { return !obstacles_.is_empty() || !meshes_.empty(); }
+  /// Whether all solids rest.
+  bool do_solids_rest() const {
+    return std::ranges::all_of(meshes_,
+                               [&](std::uint32_t mesh) { return surface(mesh).velocity() == Vec3{}; });
+  }
   /// The numbers of all other surfaces.
   std::span<const std::uint32_t> other_surfaces() const { return other_surfaces_; }
   /// What happens when spheres touch each other or a wall; by default they are smooth and elastic.

@@ -66,6 +66,27 @@ double distance_to_mesh(const Box& box, const Surface& mesh, const Vec3& positio
   return distance;
 }
 
+// The distance from a point to the nearest obstacle at rest or image of one; infinite if there are none.
+double distance_to_obstacles(const Setting& setting, const Vec3& position) {
+  double least = std::numeric_limits<double>::infinity();
+  if (setting.obstacles().is_empty()) return least;
+  const Box& box = setting.box();
+  constexpr double kRoundedUp = 1 + 0x1p-40;
+  const Vec3 half = 0.5 * box.size();
+  double farthest = least;
+  const Extent all = setting.obstacles().extent();
+  for_each_image(box, all, {position - half, position + half}, [&](const Image& image) {
+    const Vec3 shift = box.shift(image);
+    setting.obstacles().for_each_within(
+        farthest, [&](const Extent& extent) { return distance_to(extent, position - shift); },
+        [&](std::uint32_t number) {
+          least = std::min(least, distance_to_surface(box, setting.surface(number), position, Time()));
+          farthest = kRoundedUp * std::max(0.0, least);
+        });
+  });
+  return least;
+}
+
 // Where a sphere may be from `now` until another time.
 Extent reached(const Motion& motion, const Path& path, double radius, const Time& now, double until) {
   constexpr double kRounding = 0x1p-40;
@@ -234,29 +255,33 @@ double distance_to_surface(const Box& box, const Surface& surface, const Vec3& p
   return surface.distance(position - nearest_image_of(box, surface, position), moment);
 }
 
+double distance_to_solids(const Setting& setting, const Vec3& position) {
+  double least = distance_to_obstacles(setting, position);
+  for (const std::uint32_t number : setting.meshes()) {
+    least = std::min(least, distance_to_surface(setting.box(), setting.surface(number), position, Time()));
+  }
+  return least;
+}
+
+double rounding_near_solids(const Setting& setting) {
+  Extent all;
+  all.low = all.high = {};
+  if (!setting.obstacles().is_empty()) all.enclose(setting.obstacles().extent());
+  for (const std::uint32_t number : setting.meshes()) {
+    all.enclose(extent_of(setting.surface(number)));
+    all.enclose(setting.surface(number).mesh()->mesh().extent());
+  }
+  return 0x1p-40 * (length(all.low) + length(all.high) + length(setting.box().size()));
+}
+
 double distance_to_surfaces(const Setting& setting, const Vec3& position, const Time& moment) {
-  const Box& box = setting.box();
   double least = std::numeric_limits<double>::infinity();
   const auto note = [&](std::uint32_t number) {
-    least = std::min(least, distance_to_surface(box, setting.surface(number), position, moment));
+    least = std::min(least, distance_to_surface(setting.box(), setting.surface(number), position, moment));
   };
-  for (const std::uint32_t number : setting.other_surfaces()) note(number);
-  for (const std::uint32_t number : setting.meshes()) note(number);
-  if (setting.obstacles().is_empty()) return least;
-  constexpr double kRoundedUp = 1 + 0x1p-40;
-  const Vec3 half = 0.5 * box.size();
-  double farthest = least;
-  const Extent all = setting.obstacles().extent();
-  for_each_image(box, all, {position - half, position + half}, [&](const Image& image) {
-    const Vec3 shift = box.shift(image);
-    setting.obstacles().for_each_within(
-        farthest, [&](const Extent& extent) { return distance_to(extent, position - shift); },
-        [&](std::uint32_t number) {
-          note(number);
-          farthest = kRoundedUp * std::max(0.0, least);
-        });
-  });
-  return least;
+  std::ranges::for_each(setting.other_surfaces(), note);
+  std::ranges::for_each(setting.meshes(), note);
+  return std::min(least, distance_to_obstacles(setting, position));
 }
 
 bool is_clear_of_surfaces(const Setting& setting, const Vec3& position, double radius, const Time& moment) {

@@ -95,6 +95,13 @@ HARDBALL_EXPORT double distance_to_surface(const Box& box, const Surface& surfac
 /// it, and infinite if there are none.
 HARDBALL_EXPORT double distance_to_surfaces(const Setting& setting, const Vec3& position, const Time& moment);
 
+/// The distance from a point to the nearest solid or image of one [L]; negative on the wrong side of a mesh,
+/// and infinite if there are none. Precondition: solids rest.
+HARDBALL_EXPORT double distance_to_solids(const Setting& setting, const Vec3& position);
+
+/// More than coordinates and distances near solids are rounded by [L].
+HARDBALL_EXPORT double rounding_near_solids(const Setting& setting);
+
 /// Whether a sphere of this radius [L] overlaps no surface: distance_to_surfaces is no less. Cost: O(log n)
 /// for n obstacles.
 HARDBALL_EXPORT bool is_clear_of_surfaces(const Setting& setting, const Vec3& position, double radius,

@@ -57,11 +57,11 @@ std::vector<double> list_of(const py::handle& object, const std::string& name) {
 }
 
 // From a matrix, or from a quaternion (w, x, y, z).
-Rotation rotation_of(const py::handle& object, const std::string& name) {
+RotationMatrix rotation_of(const py::handle& object, const std::string& name) {
   const Doubles array = doubles(object, name);
   const double* const n = array.data();
   if (array.ndim() == 1 && array.size() == 4) {
-    const Rotation rotation = Rotation::from_quaternion(n[0], n[1], n[2], n[3]);
+    const RotationMatrix rotation = RotationMatrix::from_quaternion(n[0], n[1], n[2], n[3]);
     if (rotation.is_sound()) return rotation;
   } else if (array.ndim() == 2 && array.shape(0) == 3 && array.shape(1) == 3) {
     // Its columns are the axes.
@@ -121,7 +121,7 @@ Joint joint_of(const py::handle& given, std::size_t number) {
       joint.rotation = rotation_of(value, place);
     } else if (name == "rpy") {
       const Vec3 angles = vector_of(value, place, false);
-      joint.rotation = Rotation::from_angles(angles.x, angles.y, angles.z);
+      joint.rotation = RotationMatrix::from_angles(angles.x, angles.y, angles.z);
     } else {
       throw Error("there is no key '" + shortened(name) + "'", where,
                   "choose among name, kind, parent, child, origin, rotation, rpy, axis and locked");
@@ -320,7 +320,7 @@ void bind_obstacles(py::module_& module) {
           [](Obstacles& self, const ArrayLike& center, const ArrayLike& size,
              const OptionalArrayLike& rotation) {
             return self.add_box(vector_of(center, "center", false), vector_of(size, "size", false),
-                                rotation.is_none() ? Rotation() : rotation_of(rotation, "rotation"));
+                                rotation.is_none() ? RotationMatrix() : rotation_of(rotation, "rotation"));
           },
           py::arg("center"), py::arg("size"), py::arg("rotation") = py::none(),
           (std::string(doc::Obstacles_add_box) +

@@ -73,7 +73,7 @@ inline Obstacles random_obstacles(Random& random, std::size_t count, double size
       obstacles.add_sphere(center, size / 2);
     } else if (k % 4 == 1) {
       obstacles.add_box(center, {size, size / 2, size},
-                        Rotation::from_angles(within(random, 3), within(random, 3), within(random, 3)));
+                        RotationMatrix::from_angles(within(random, 3), within(random, 3), within(random, 3)));
     } else if (k % 4 == 2) {
       obstacles.add_capsule(center, center + along, size / 4);
     } else {

@@ -8,7 +8,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
-#include "hardball/geometry/rotation.hpp"
+#include "hardball/geometry/rotation_matrix.hpp"
 #include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 
@@ -65,31 +65,32 @@ TEST(SineCosine, OfAnglesWithoutPhaseIsThatOfZero) {
   }
 }
 
-TEST(Rotation, TurnsZIntoAnyDirection) {
+TEST(RotationMatrix, TurnsZIntoAnyDirection) {
   Random random(4);
   for (int i = 0; i < 1000; ++i) {
     const Vec3 direction = random.direction();
-    const Rotation rotation = Rotation::of_z_into(direction);
+    const RotationMatrix rotation = RotationMatrix::of_z_into(direction);
     EXPECT_TRUE(rotation.is_sound());
     EXPECT_LT(length(rotation.turned({0, 0, 1}) - direction), 1e-15);
     EXPECT_LT(length(rotation.turned_back(rotation.turned({1, 2, 3})) - Vec3{1, 2, 3}), 1e-14);
   }
   for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, -1}, Vec3{-1, 0, 0}}) {
-    const Rotation rotation = Rotation::of_z_into(axis);
+    const RotationMatrix rotation = RotationMatrix::of_z_into(axis);
     EXPECT_TRUE(rotation.is_sound());
     EXPECT_EQ(rotation.turned({0, 0, 1}), axis);
     EXPECT_EQ(rotation.inverse().turned(axis), (Vec3{0, 0, 1}));
   }
 }
 
-TEST(Rotation, OfAnglesIsThatOfTheQuaternion) {
-  const Rotation yaw = Rotation::from_angles(0, 0, 0.3);
+TEST(RotationMatrix, OfAnglesIsThatOfTheQuaternion) {
+  const RotationMatrix yaw = RotationMatrix::from_angles(0, 0, 0.3);
   const auto [sine, cosine] = sine_cosine(0.15);
-  EXPECT_LT(length(yaw.x - Rotation::from_quaternion(cosine, 0, 0, sine).x), 1e-15);
+  EXPECT_LT(length(yaw.x - RotationMatrix::from_quaternion(cosine, 0, 0, sine).x), 1e-15);
   // Roll comes first.
   const double quarter = 0x1.921fb54442d18p+0;
-  EXPECT_LT(length(Rotation::from_angles(quarter, 0, quarter).turned({0, 0, 1}) - Vec3{1, 0, 0}), 1e-15);
-  EXPECT_LT(length(Rotation::from_angles(0, quarter, 0).turned({0, 0, 1}) - Vec3{1, 0, 0}), 1e-15);
+  EXPECT_LT(length(RotationMatrix::from_angles(quarter, 0, quarter).turned({0, 0, 1}) - Vec3{1, 0, 0}),
+            1e-15);
+  EXPECT_LT(length(RotationMatrix::from_angles(0, quarter, 0).turned({0, 0, 1}) - Vec3{1, 0, 0}), 1e-15);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(Obstacles, KnowDistances) {
   sphere.add_sphere({1, 0, 0}, 0.5, {2, 0, 0}, -1);
   expect(sphere, {{{3, 2, 0}, 1.5, {0, 1, 0}}, {{3, 0, 0}, -0.5, {}}});
   Obstacles box;
-  box.add_box({1, 0, 0}, {2, 4, 6}, Rotation{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}});
+  box.add_box({1, 0, 0}, {2, 4, 6}, RotationMatrix{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}});
   expect(box, {{{1, 3, 0}, 2, {0, 1, 0}},
                {{5, 0, 0}, 2, {1, 0, 0}},
                {{1, 0.5, 1}, 0, {}},

@@ -64,7 +64,7 @@ TEST(Robot, LocksJoints) {
                              .kind = JointKind::prismatic,
                              .parent = "upper",
                              .child = "lower",
-                             .rotation = Rotation::from_angles(1, 2, 3),
+                             .rotation = RotationMatrix::from_angles(1, 2, 3),
                              .axis = {0, 3, 4}}};
   const std::vector<Vec3> moved = Robot::from_spheres(links, joints).centers(std::vector<double>{0.7, 0.4});
   joints[0].locked = 0.7;
@@ -134,7 +134,7 @@ Robot branched() {
        .parent = "base",
        .child = "trunk",
        .origin = {0.1, 0.2, 0.5},
-       .rotation = Rotation::from_angles(0.3, 0.2, 0.1),
+       .rotation = RotationMatrix::from_angles(0.3, 0.2, 0.1),
        .axis = {1, 2, 3}},
       {.name = "b",
        .kind = JointKind::prismatic,

@@ -10,7 +10,7 @@
 namespace hardball {
 
 /// A rotation, by the unit vectors [1] into which it turns the axes. By default it turns nothing.
-struct Rotation {
+struct RotationMatrix {
   Vec3 x{1, 0, 0};
   Vec3 y{0, 1, 0};
   Vec3 z{0, 0, 1};
@@ -20,32 +20,32 @@ struct Rotation {
   /// The vector, turned back.
   Vec3 turned_back(const Vec3& vector) const { return {dot(vector, x), dot(vector, y), dot(vector, z)}; }
   /// Turns by `inner` first, then by `outer`.
-  friend Rotation operator*(const Rotation& outer, const Rotation& inner) {
+  friend RotationMatrix operator*(const RotationMatrix& outer, const RotationMatrix& inner) {
     return {outer.turned(inner.x), outer.turned(inner.y), outer.turned(inner.z)};
   }
-  friend bool operator==(const Rotation&, const Rotation&) = default;
+  friend bool operator==(const RotationMatrix&, const RotationMatrix&) = default;
   /// The rotation that turns back.
-  Rotation inverse() const { return {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}; }
+  RotationMatrix inverse() const { return {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}; }
 
   /// Turns about the fixed axes x, y and z, one after the other, by these angles in radians, as URDF has it.
-  static Rotation from_angles(double roll, double pitch, double yaw) {
+  static RotationMatrix from_angles(double roll, double pitch, double yaw) {
     const auto [sine_x, cosine_x] = sine_cosine(roll);
     const auto [sine_y, cosine_y] = sine_cosine(pitch);
     const auto [sine_z, cosine_z] = sine_cosine(yaw);
-    const Rotation about_x{{1, 0, 0}, {0, cosine_x, sine_x}, {0, -sine_x, cosine_x}};
-    const Rotation about_y{{cosine_y, 0, -sine_y}, {0, 1, 0}, {sine_y, 0, cosine_y}};
-    const Rotation about_z{{cosine_z, sine_z, 0}, {-sine_z, cosine_z, 0}, {0, 0, 1}};
+    const RotationMatrix about_x{{1, 0, 0}, {0, cosine_x, sine_x}, {0, -sine_x, cosine_x}};
+    const RotationMatrix about_y{{cosine_y, 0, -sine_y}, {0, 1, 0}, {sine_y, 0, cosine_y}};
+    const RotationMatrix about_z{{cosine_z, sine_z, 0}, {-sine_z, cosine_z, 0}, {0, 0, 1}};
     return about_z * (about_y * about_x);
   }
   /// The rotation of a quaternion w + x i + y j + z k of any length but zero.
-  static Rotation from_quaternion(double w, double x, double y, double z) {
+  static RotationMatrix from_quaternion(double w, double x, double y, double z) {
     const double twice = 2 / (w * w + x * x + y * y + z * z);
     return {{1 - twice * (y * y + z * z), twice * (x * y + w * z), twice * (x * z - w * y)},
             {twice * (x * y - w * z), 1 - twice * (x * x + z * z), twice * (y * z + w * x)},
             {twice * (x * z + w * y), twice * (y * z - w * x), 1 - twice * (x * x + y * y)}};
   }
   /// A rotation that turns the axis z into a unit vector; exact if that lies along an axis.
-  static Rotation of_z_into(const Vec3& direction) {
+  static RotationMatrix of_z_into(const Vec3& direction) {
     if (direction.y == 0 && direction.z == 0) return {{0, direction.x, 0}, {0, 0, 1}, {direction.x, 0, 0}};
     // Across the direction, and as far from it as axes are.
     const Vec3 across = std::fabs(direction.z) < 0.5 ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
