@@ -50,7 +50,7 @@ std::vector<std::vector<double>> table_of(const py::handle& object, const std::s
   return rows;
 }
 
-std::vector<double> list_of(const py::handle& object, const std::string& name) {
+std::vector<double> flat_list_of(const py::handle& object, const std::string& name) {
   const Doubles array = doubles(object, name);
   if (array.ndim() != 1) throw Error("it is no list of numbers", name, "give an array of shape (n,)");
   return {array.data(), array.data() + array.size()};
@@ -161,7 +161,7 @@ JointTrajectory trajectory_of_pieces(const ArrayLike& times, const ArrayLike& co
       pieces.back().push_back({c[0], c[1], c[2], c[3]});
     }
   }
-  return JointTrajectory::from_pieces(list_of(times, "times"), pieces);
+  return JointTrajectory::from_pieces(flat_list_of(times, "times"), pieces);
 }
 
 std::size_t add_spheres(Obstacles& self, const ArrayLike& centers, const ArrayLike& radii,
@@ -249,7 +249,7 @@ void bind_robot(py::module_& module) {
       .def(
           "centers",
           [](const Robot& self, const ArrayLike& coordinates) {
-            return array_around(self.centers(list_of(coordinates, "coordinates")));
+            return array_around(self.centers(flat_list_of(coordinates, "coordinates")));
           },
           py::arg("coordinates"), doc::Robot_centers)
       .def("__repr__", [](const Robot& self) {
@@ -263,7 +263,7 @@ void bind_joint_trajectory(py::module_& module) {
       .def_static(
           "cubic",
           [](const ArrayLike& times, const ArrayLike& coordinates, const std::string& ends) {
-            return JointTrajectory::cubic(list_of(times, "times"), table_of(coordinates, "coordinates"),
+            return JointTrajectory::cubic(flat_list_of(times, "times"), table_of(coordinates, "coordinates"),
                                           ends_of(ends));
           },
           py::arg("times"), py::arg("coordinates"), py::arg("ends") = "natural",
@@ -273,14 +273,15 @@ void bind_joint_trajectory(py::module_& module) {
       .def_static(
           "linear",
           [](const ArrayLike& times, const ArrayLike& coordinates) {
-            return JointTrajectory::linear(list_of(times, "times"), table_of(coordinates, "coordinates"));
+            return JointTrajectory::linear(flat_list_of(times, "times"),
+                                           table_of(coordinates, "coordinates"));
           },
           py::arg("times"), py::arg("coordinates"), doc::JointTrajectory_linear)
       .def_static(
           "from_rates",
           [](const ArrayLike& times, const ArrayLike& coordinates, const ArrayLike& rates) {
-            return JointTrajectory::from_rates(list_of(times, "times"), table_of(coordinates, "coordinates"),
-                                               table_of(rates, "rates"));
+            return JointTrajectory::from_rates(
+                flat_list_of(times, "times"), table_of(coordinates, "coordinates"), table_of(rates, "rates"));
           },
           py::arg("times"), py::arg("coordinates"), py::arg("rates"), doc::JointTrajectory_from_rates)
       .def_static(
@@ -366,7 +367,7 @@ void bind_robot_contact(py::module_& module) {
           "point", [](const RobotContact& self) { return array_of(self.point); }, doc::RobotContact_point)
       .def_property_readonly(
           "normal", [](const RobotContact& self) { return array_of(self.normal); }, doc::RobotContact_normal)
-      .def("__repr__", &text_of);
+      .def("__repr__", [](const RobotContact& self) { return text_of(self); });
 }
 
 }  // namespace
