@@ -25,7 +25,7 @@ constexpr std::array<FeatureDescription, kFeatures> kDescriptions = {{
     {"moving walls", "", "walls have a velocity"},
     {"thermal walls", "", "walls have a temperature"},
     {"oscillating walls", "", "planes move to and fro"},
-    {"walls other than planes", "", "cylinders, cones, hollow spheres or obstacles"},
+    {"walls other than planes", "", "cylinders, cones, hollow spheres, obstacles or meshes"},
     {"obstacles in a periodic box", "", "obstacles, which have images"},
     {"prescribed motions", "motions", "kinematic spheres or walls follow a timetable"},
     {"kinematic spheres without a motion", "", "spheres of infinite mass that no prescribed motion drives"},
