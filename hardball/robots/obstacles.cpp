@@ -171,16 +171,22 @@ void Obstacles::add_walls(const World& world, const char* where) {
 }
 
 void Obstacles::add_surface(const Surface& surface, const char* where) {
+  if (surface.mesh() && surface.velocity() == Vec3{}) {
+    std::vector<Vec3> vertices;
+    for (const Vec3& vertex : surface.mesh()->mesh().vertices()) vertices.push_back(surface.point() + vertex);
+    add_mesh(vertices, surface.mesh()->mesh().triangles(), surface.mesh()->thickness());
+    return;
+  }
   const auto* const sphere = std::get_if<hardball::Obstacle>(&surface.shape());
   const auto* const plane = std::get_if<hardball::Plane>(&surface.shape());
   if (sphere != nullptr) {
-    add(Ball{surface.point(), sphere->radius(), surface.velocity(), 0}, where);
+    add(Ball{surface.point(), sphere->radius(), surface.velocity(), surface.since().value()}, where);
   } else if (plane != nullptr && surface.velocity() == Vec3{}) {
     add(HalfSpace{surface.point(), plane->normal()}, where);
   } else {
     throw Error("there is a surface of the shape " + std::string(surface.name()) +
                     (plane != nullptr ? " that moves" : ""),
-                where, "use planes at rest and obstacles, or add their shapes one by one");
+                where, "use planes and meshes at rest, and obstacles, or add their shapes one by one");
   }
 }
 

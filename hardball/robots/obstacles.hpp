@@ -43,7 +43,7 @@ class HARDBALL_EXPORT Obstacles {
                        std::span<const std::array<std::uint32_t, 3>> triangles, double thickness = 0);
   /// Everything in a world from `now` on, as if nothing collided: its spheres, in the order of ids, then the
   /// walls of its box, by the number of the face, and its surfaces. Error: a box that is periodic; gravity or
-  /// growth; surfaces that are neither planes nor obstacles, or that move.
+  /// growth; surfaces that are neither planes, meshes nor obstacles; planes or meshes that move.
   std::size_t add_world(const World& world, const Time& now);
 
   /// The number of obstacles.

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 #include "hardball/numbers/random.hpp"
+#include "hardball/surfaces/make_mesh.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "support/arm.hpp"
 #include "support/refusal.hpp"
@@ -104,13 +106,15 @@ TEST(Obstacles, ExtentsHoldTheirShapes) {
 }
 
 TEST(Obstacles, TakeWorlds) {
-  World world(Box::walls({10, 10, 10}), {},
-              {Surface(Plane({0, 0.6, 0.8}), {5, 1, 1}), Surface(hardball::Obstacle(0.5), {2, 8, 8})});
+  World world(
+      Box::walls({10, 10, 10}), {},
+      {Surface(Plane({0, 0.6, 0.8}), {5, 1, 1}), Surface(hardball::Obstacle(0.5), {2, 8, 8}),
+       Surface(MeshShape(std::make_shared<const Mesh>(plate_mesh({2, 0, 0}, {0, 2, 0}))), {3, 3, 3})});
   world.add({.position = {5, 5, 5}, .velocity = {1, 0, 0}, .radius = 0.25}, Time(2));
   Obstacles obstacles;
   obstacles.add_sphere({0, 0, 0}, 1);
   EXPECT_EQ(obstacles.add_world(world, Time(4)), 1);
-  EXPECT_EQ(obstacles.size(), 10);
+  EXPECT_EQ(obstacles.size(), 11);
   const auto distance = [&](std::size_t item, const Vec3& point, double time) {
     return nearest_of(obstacles.item(item).shape, point, time).distance;
   };
@@ -119,6 +123,7 @@ TEST(Obstacles, TakeWorlds) {
   EXPECT_EQ(distance(3, {1, 5, 5}, 0), 9) << "x_max";
   EXPECT_DOUBLE_EQ(distance(8, {5, 1, 2}, 0), 0.8);
   EXPECT_EQ(distance(9, {2, 8, 6}, 0), 1.5);
+  EXPECT_EQ(distance(10, {4.5, 3.5, 5}, 0), 2);
 }
 
 TEST(Obstacles, RefuseWhatTheyCannotBe) {
