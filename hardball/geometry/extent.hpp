@@ -41,7 +41,7 @@ inline bool overlap(const Extent& a, const Extent& b) {
 inline double distance_to(const Extent& extent, const Vec3& point) {
   Vec3 apart;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    apart[axis] = std::max({extent.low[axis] - point[axis], point[axis] - extent.high[axis], 0.0});
+    apart[axis] = std::max<double>({extent.low[axis] - point[axis], point[axis] - extent.high[axis], 0.0});
   }
   return length(apart);
 }

@@ -183,13 +183,13 @@ TEST_F(WhatCheckExpects, NamesTheFeaturesAndWhatTheyExclude) {
   const std::string falling = output(gas("10", "8", "wall"), {"--set", "box.gravity=[0.0, 0.0, -1.0]"});
   EXPECT_EQ(line_of(falling, "features"), "gravity");
   EXPECT_EQ(line_of(falling, "excluded"),
-            "growth, shear, potentials of steps, kinematic spheres, the engine paper");
+            "growth, shear, potentials of steps, kinematic spheres without a motion, the engine paper");
   const std::string growing = output(gas("10", "8") + "[growth]\nrate = 0.01\n");
   EXPECT_EQ(line_of(growing, "features"), "growth");
   EXPECT_NE(line_of(growing, "excluded").find("measures"), std::string::npos);
   // Of a sample, too.
   const std::string many = output(gas("100_000_000", "800"), {"--set", "spheres.0.kinematic=true"});
-  EXPECT_EQ(line_of(many, "features"), "kinematic spheres");
+  EXPECT_EQ(line_of(many, "features"), "kinematic spheres, kinematic spheres without a motion");
   EXPECT_EQ(line_of(many, "excluded"), "gravity, growth, measures");
 }
 
