@@ -48,22 +48,4 @@ inline double safe_step_of_smooth_gap(double width, double speed, double second,
   return (1 - kRounding) * step;
 }
 
-/// The first time from `begin` on at which a gap is not positive and closes, to the last bits of its
-/// rounding; infinite if it does not by `end` [T]. `gap_at(t)` gives the Gap at a time. Cost: about five
-/// evaluations for most gaps, some dozens for those that nearly close.
-template <class GapAt>
-double first_closing(double begin, double end, GapAt&& gap_at) {
-  // Far more than the step is rounded by.
-  constexpr double kShortened = 1 - 1e-12;
-  constexpr double kForever = std::numeric_limits<double>::infinity();
-  double t = begin;
-  while (t <= end && t < kForever) {
-    const Gap gap = gap_at(t);
-    if (gap.width <= 0 && gap.speed < 0) return t;
-    const double next = t + kShortened * safe_step(gap);
-    t = next > t ? next : std::nextafter(t, kForever);
-  }
-  return kForever;
-}
-
 }  // namespace hardball

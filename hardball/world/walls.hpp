@@ -77,12 +77,14 @@ inline bool may_meet_wall(const World& world, Slot slot, double time, const Time
   return may;
 }
 
-/// The first contact of a sphere with a mesh, or an image of it, while all move so, from `now` until another
-/// time [T]; if there is none until then, a later one or none.
+/// The contact of a sphere with an image of a mesh, in the coordinates of the path.
 struct ImageContact {
   SurfaceContact contact;
   Image image;
 };
+
+/// The first contact of a sphere with a mesh, or an image of it, from `now` until another time [T], where
+/// none has come before; if there is none until then, a later one or none.
 HARDBALL_EXPORT ImageContact first_contact_with_mesh(const Box& box, const Motion& motion,
                                                      const Surface& mesh, const Path& path, double radius,
                                                      const Time& now, double until);
