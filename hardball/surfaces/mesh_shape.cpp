@@ -285,8 +285,9 @@ MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh, MeshSide spheres, double 
   if (!(thickness >= 0 && is_in_range(thickness)))
     throw Error("the thickness of a mesh is " + to_text(thickness), "mesh", "give zero or a positive number");
   if (spheres == MeshSide::both || mesh_->is_closed()) return;
-  throw Error("a mesh is not closed, as " + to_text(mesh_->report().boundary_edges) +
-                  " of its edges belong to one triangle, so that it has no inside",
+  throw Error("a mesh is not closed and has no inside: " + to_text(mesh_->report().boundary_edges) +
+                  " of its edges belong to one triangle, and " + to_text(mesh_->report().branching_edges) +
+                  " to more than two",
               "mesh", "close it, or let spheres be on both sides, and give their positions");
 }
 
