@@ -33,12 +33,13 @@ class SweptBall {
   /// The magnitude of the acceleration [L/T^2].
   double acceleration() const { return length(acceleration_); }
 
-  /// A part of the time from `begin` to `end` outside which it does not reach into an extent; an empty one,
-  /// which ends before it begins, if it never does. `margin` [L] is more than the rounding of coordinates.
+  /// An interval of time [T]; an empty one ends before it begins.
   struct Stay {
     double first;
     double last;
   };
+  /// A part of the time from `begin` to `end` outside which it does not reach into an extent; an empty one if
+  /// it never does. `margin` [L] is more than the rounding of coordinates.
   Stay stay_within(const Extent& extent, double begin, double end, double margin) const {
     double first = begin;
     double last = end;

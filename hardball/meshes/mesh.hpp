@@ -122,11 +122,12 @@ class HARDBALL_EXPORT Mesh {
   /// outward, a fraction where there are holes. Cost: O(n). Source: Jacobson, Kavan and Sorkine-Hornung, ACM
   /// Trans. Graph. 32 (2013) 33.
   double winding_number(const Vec3& point) const;
-  /// The point of the mesh nearest to another [L], and its triangle. Cost: O(log n) on average.
+  /// A point of the mesh [L], and the triangle that it belongs to.
   struct NearestPoint {
     Vec3 point;
     std::uint32_t triangle = 0;
   };
+  /// The point of the mesh nearest to another [L]; of several triangles, the first. Cost: O(log n) on average.
   NearestPoint nearest(const Vec3& point) const;
 
   std::size_t memory_bytes() const;
