@@ -127,7 +127,8 @@ class HARDBALL_EXPORT Mesh {
     Vec3 point;
     std::uint32_t triangle = 0;
   };
-  /// The point of the mesh nearest to another [L]; of several triangles, the first. Cost: O(log n) on average.
+  /// The point of the mesh nearest to another [L]; of several triangles, the first. Cost: O(log n) on
+  /// average.
   NearestPoint nearest(const Vec3& point) const;
 
   std::size_t memory_bytes() const;
