@@ -313,6 +313,7 @@ std::vector<TableRow> check_rows(const CheckOptions& options) {
   if (!forecast.failure.empty()) add_note("a trial of this run failed: " + forecast.failure);
   for (const std::string& note : outlook.notes) add_note(note);
   for (const std::string& warning : warnings_of(scenario, statistics)) add_note(warning);
+  for (const std::string& warning : warnings_of_meshes(simulation.world())) add_note(warning);
   if (!outlook.is_sample) {
     for (const std::string& warning : warnings_of_motions(simulation, statistics, until)) add_note(warning);
   }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <variant>
 
+#include "hardball/measure/wall_forces.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/settling_heap.hpp"
 #include "hardball/theory.hpp"
@@ -195,7 +196,61 @@ Simulation without_spheres(const Simulation& simulation) {
   return empty;
 }
 
+// A face of the box in which a triangle of a mesh lies.
+std::optional<Face> shared_face(const Box& box, const Mesh& mesh, const Vec3& point) {
+  for (Face face = 0; face < kFaces; ++face) {
+    const std::size_t axis = axis_of(face);
+    if (!box.is_wall(axis)) continue;
+    const double plane = is_upper(face) ? box.size()[axis] : 0;
+    const auto lies_in_it = [&](std::uint32_t corner) {
+      return point[axis] + mesh.vertices()[corner][axis] == plane;
+    };
+    const bool is_shared = std::ranges::any_of(mesh.triangles(), [&](const Mesh::Triangle& corners) {
+      return std::ranges::all_of(corners, lies_in_it);
+    });
+    if (is_shared) return face;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::vector<std::string> warnings_of_meshes(const World& world) {
+  std::vector<std::string> warnings;
+  for (std::uint32_t k = 0; k < world.surfaces().size(); ++k) {
+    const Surface& surface = world.surfaces()[k];
+    if (!surface.mesh()) continue;
+    const Mesh& mesh = surface.mesh()->mesh();
+    const std::string name = wall_name(world, kFaces + k);
+    const MeshReport& report = mesh.report();
+    // More are the rim of what is meant to be open.
+    constexpr std::size_t kRim = 10;
+    if (report.boundary_edges > 0 && kRim * report.boundary_edges < mesh.edges().size()) {
+      warnings.push_back(fmt::format("{} has holes: {} of its {} edges belong to one triangle alone", name,
+                                     report.boundary_edges, mesh.edges().size()));
+    }
+    if (report.flipped_edges > 0) {
+      warnings.push_back(fmt::format(
+          "some triangles of {} are inside out, at {} edges: what is inside is decided by counting how many "
+          "triangles lie above a point",
+          name, report.flipped_edges));
+    }
+    const double edges = (world.largest_radius() + surface.mesh()->thickness()) / mesh.median_edge();
+    constexpr double kManyEdges = 10;
+    if (edges > kManyEdges) {
+      warnings.push_back(fmt::format(
+          "the largest sphere has {:.2g} edges of {} in its radius, and touches hundreds of triangles at a "
+          "time: coarser triangles make the run faster",
+          edges, name));
+    }
+    if (const auto face = shared_face(world.box(), mesh, surface.point())) {
+      warnings.push_back(fmt::format(
+          "triangles of {} lie in the face {} of the box: spheres touch both there, one after the other",
+          name, kFaceNames[*face]));
+    }
+  }
+  return warnings;
+}
 
 std::vector<std::string> warnings_of_motions(const Simulation& simulation, const GasStatistics& statistics,
                                              double until) {

@@ -15,6 +15,10 @@ namespace hardball::cli {
 /// spheres come to rest by inelastic collapse.
 std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatistics& statistics);
 
+/// Warnings of walls that are meshes, a sentence each: holes, triangles that are inside out or far smaller
+/// than spheres, or that lie in a face of the box.
+std::vector<std::string> warnings_of_meshes(const World& world);
+
 /// Warnings of prescribed motions, a sentence each: kinematic spheres overlap, chords are far shorter than
 /// the time between collisions, or walls or spheres close a gap in which others are. `until`: the end of the
 /// run [T].

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "hardball/engine/predictor.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/plan.hpp"
 #include "hardball/world/images.hpp"
 #include "hardball/world/pair_event.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball {
 
@@ -39,6 +42,18 @@ void check_bounds([[maybe_unused]] const Forecast& forecast, [[maybe_unused]] co
       const Time time = next_pair_event(world, pairs.self(), pair, image).time;
       HARDBALL_CHECK((pair.partner == found.partner ? found.least : found.second) <= time.high);
     }
+  }
+}
+
+/// Checks that a sphere touches no solid before another time [T], in validating builds; throws
+/// BrokenInvariant.
+template <class Forecast>
+void check_clear([[maybe_unused]] const Forecast& forecast, [[maybe_unused]] Slot slot,
+                 [[maybe_unused]] double until) {
+  if constexpr (HARDBALL_VALIDATE) {
+    // What is predicted beyond an epoch of growth does not happen.
+    const double end = std::min(until, forecast.world().motion().growth().end.high);
+    HARDBALL_CHECK(!(next_solid_event(forecast.world(), slot, forecast.now(), end).time.high < end));
   }
 }
 

@@ -376,7 +376,7 @@ class Forecast {
     Plan& own = mutable_plan(slot);
     const double first = own.is_bound() ? own.safe_until() : own.contact();
     const double until = std::min(first, own.crossing());
-    if (do_solids_rest_ && is_clear_of_solids(slot, until)) return;
+    if (do_solids_rest_ && is_clear_of_solids(slot, until)) return check_clear(*this, slot, until);
     const Event met = next_solid_event(world_, slot, now_, until);
     if (!met.happens()) return;
     if (own.is_bound() ? met.time.high < own.contact() : met < contact_of(slot)) {
@@ -398,11 +398,13 @@ class Forecast {
     const double moved = length(state.position - ball.center);
     // More than all of these are rounded by.
     const double margin = solid_rounding_ + 0x1p-40 * (length(state.position) + way + radius);
-    if (moved + way + radius + margin < ball.distance) return true;
+    const double reach = way + radius + margin;
+    if (moved + reach < ball.distance) return true;
     // Near a solid, looking for one costs less than looking around.
-    if (moved < 0.5 * radius) return false;
-    ball = {state.position, distance_to_solids(world_, state.position)};
-    return way + radius + margin < ball.distance;
+    constexpr double kFarthest = 4.0 / 3;  // where a solid is, over the clearance
+    if (moved < 0.5 * radius || moved + kFarthest * ball.distance < reach) return false;
+    ball = {state.position, clearance_of_solids(world_, state.position)};
+    return reach < ball.distance;
   }
 
   void plan_crossing(Slot slot) {
@@ -462,10 +464,11 @@ class Forecast {
   bool is_cached_ = true;  // prefetching all data ahead does not pay
   bool are_alike_ = true;  // all spheres, in radius and mass
   bool has_walls_ = false;
-  // A point, and how far from it there is no solid [L]: true of any sphere.
+  // A point, and how far from it there is no solid [L]: true of any sphere. Nothing is known of a point that
+  // is infinitely far away.
   struct ClearBall {
-    Vec3 center;
-    double distance = -kNever.high;
+    Vec3 center{kNever.high, 0, 0};
+    double distance = 0;
   };
   bool do_solids_rest_ = false;
   double solid_rounding_ = 0;

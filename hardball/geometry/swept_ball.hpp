@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "hardball/geometry/extent.hpp"
+#include "hardball/geometry/nearest_point.hpp"
+#include "hardball/geometry/safe_step.hpp"
 #include "hardball/geometry/vec3.hpp"
 
 namespace hardball {
@@ -24,7 +26,12 @@ class SweptBall {
         velocity_(velocity),
         acceleration_(acceleration),
         radius_(radius),
-        growth_(growth) {}
+        growth_(growth) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      from_low_[axis] = {growth + velocity[axis], 1 / (growth + velocity[axis])};
+      from_high_[axis] = {growth - velocity[axis], 1 / (growth - velocity[axis])};
+    }
+  }
 
   Vec3 position_at(double t) const { return position_ + t * (velocity_ + (0.5 * t) * acceleration_); }
   Vec3 velocity_at(double t) const { return velocity_ + t * acceleration_; }
@@ -46,24 +53,46 @@ class SweptBall {
     const double reach = radius_ + margin;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const double half = 0.5 * acceleration_[axis];
-      keep(position_[axis] - extent.low[axis] + reach, growth_ + velocity_[axis], half, begin, first, last);
-      keep(extent.high[axis] - position_[axis] + reach, growth_ - velocity_[axis], -half, begin, first, last);
+      keep(position_[axis] - extent.low[axis] + reach, from_low_[axis], half, begin, first, last);
+      keep(extent.high[axis] - position_[axis] + reach, from_high_[axis], -half, begin, first, last);
       if (!(first <= last)) return {std::numeric_limits<double>::infinity(), begin};
     }
     return {first, last};
   }
+  /// A time from `begin` on before which it does not touch an extent; infinite if it never does until `end`.
+  /// `margin` [L] is more than the rounding of coordinates.
+  double free_until(const Extent& extent, double begin, double end, double margin) const {
+    const Stay stay = stay_within(extent, begin, end, margin);
+    double t = stay.first;
+    // The corners of the box around the ball reach farther than the ball itself.
+    for (int step = 0; step < 2 && t <= stay.last && t < std::numeric_limits<double>::infinity(); ++step) {
+      const Vec3 center = position_at(t);
+      const Vec3 apart = center - nearest_in_box(extent.low, extent.high, center);
+      const double distance = length(apart);
+      const double width = distance - radius_at(t) - margin;
+      if (!(width > 0)) return t;
+      t += safe_step({width, dot(apart, velocity_at(t)) / distance - growth_, acceleration()});
+    }
+    return t <= stay.last ? t : std::numeric_limits<double>::infinity();
+  }
 
  private:
+  // How fast the ball reaches beyond a plane, and one over that: products take less than quotients.
+  struct Rate {
+    double value;
+    double inverse;
+  };
+
   // Restricts [first, last] to where a + b t + c t^2 >= 0 from `begin` on, or to an interval around that.
-  static void keep(double a, double b, double c, double begin, double& first, double& last) {
+  static void keep(double a, const Rate& rate, double c, double begin, double& first, double& last) {
     constexpr double kForever = std::numeric_limits<double>::infinity();
+    const double b = rate.value;
     if (c == 0) {
-      if (b > 0) {
-        first = std::max(first, -a / b);
-      } else if (b < 0) {
-        last = std::min(last, a / -b);
-      } else if (a < 0) {
-        first = kForever;
+      // What does not move stays on its side forever.
+      if (b >= 0) {
+        first = std::max(first, -a * rate.inverse);
+      } else {
+        last = std::min(last, -a * rate.inverse);
       }
       return;
     }
@@ -93,6 +122,8 @@ class SweptBall {
   Vec3 acceleration_;
   double radius_;
   double growth_;
+  std::array<Rate, kAxes> from_low_;
+  std::array<Rate, kAxes> from_high_;
 };
 
 }  // namespace hardball

@@ -36,6 +36,10 @@ StepPotential::StepPotential(const StepRules& rules) : rules_(rules) {
   }
 }
 
+StepPotential StepPotential::sensor() {
+  return StepPotential({.steps = {{1, 0}}, .core = 0});
+}
+
 void StepTable::set(SpeciesId a, SpeciesId b, const StepPotential& potential) {
   if (potential.is_tether())
     throw Error("a tether is given for pairs of species", "potential", "tie spheres together by bonds");

@@ -59,6 +59,9 @@ class HARDBALL_EXPORT StepPotential {
   /// Error: there are no steps, or more than 255; their ratios do not increase, or begin at or below the
   /// core; a number is not finite; the core is negative; the tethered spheres have no room.
   explicit StepPotential(const StepRules& rules);
+  /// The potential of a sensor and what it senses: the spheres do not act on each other, and the beginning
+  /// and the end of their overlap are contacts at the one step, which both pass.
+  static StepPotential sensor();
 
   const StepRules& rules() const { return rules_; }
   std::size_t steps() const { return rules_.steps.size(); }

@@ -305,6 +305,20 @@ void Mesh::measure() {
   tree_ = ExtentTree(items);
 }
 
+double Mesh::clearance(const Vec3& point) const {
+  constexpr double kPart = 0.8;
+  double clear = std::numeric_limits<double>::infinity();
+  tree_.for_each_within(
+      clear, [&](const Extent& extent) { return distance_to(extent, point); },
+      [&](std::uint32_t triangle) {
+        const auto& [a, b, c] = parts_.triangles[triangle];
+        const Vec3 found =
+            nearest_on_triangle(parts_.vertices[a], parts_.vertices[b], parts_.vertices[c], point);
+        clear = std::min(clear, kPart * length(found - point));
+      });
+  return clear;
+}
+
 Mesh::NearestPoint Mesh::nearest(const Vec3& point) const {
   constexpr double kRoundedUp = 1 + 0x1p-40;
   NearestPoint nearest;

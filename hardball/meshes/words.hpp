@@ -49,7 +49,9 @@ class Words {
   std::size_t position() const { return position_; }
 
   /// The next word as a number. Error: it is none.
-  double number() { return parsed<double>(next()); }
+  double number() { return number(next()); }
+  /// A word as a number. Error: it is none.
+  double number(std::string_view word) const { return parsed<double>(word); }
   /// A word as an integer. Error: it is none.
   std::int64_t integer(std::string_view word) const { return parsed<std::int64_t>(word); }
 

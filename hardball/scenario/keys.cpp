@@ -452,15 +452,17 @@ void for_each_shape_of_walls(const auto& visit) {
 
 // What only walls have that are meshes; capsules have a radius instead of a thickness.
 std::vector<KeyDescription> mesh_keys() {
-  const auto& [mesh, box, capsule, plate] = kMeshShapes;
+  const auto& [mesh, box, capsule, plate, height_field] = kMeshShapes;
   TableDescription groups{
       .title = "groups", .keys = {required("name", text(), "the name of the group in the file", "\"belt\"")}};
   for (const KeyDescription& key : surface_keys()) groups.keys.push_back(key);
   return {
-      only_for({mesh},
-               required("file", text(),
-                        "a file of triangles, `.stl`, `.obj` or `.ply`; its path is relative to the scenario",
-                        "\"hopper.stl\"")),
+      only_for(
+          {mesh, height_field},
+          required("file", text(),
+                   "a file of triangles, `.stl`, `.obj` or `.ply`, or of the heights of a `height_field`: "
+                   "rows along x of numbers along y; its path is relative to the scenario",
+                   "\"hopper.stl\"")),
       only_for({box}, required("size", vector("L"), "its edges, along the axes before it is turned",
                                "[2.0, 2.0, 1.0]")),
       only_for({capsule},
@@ -480,7 +482,9 @@ std::vector<KeyDescription> mesh_keys() {
                    "where spheres are placed and stay; a mesh has an inside if it is closed. If not "
                    "given, outside a box, and on both sides of a mesh",
                    "\"inside\"")),
-      only_for({mesh, box, plate},
+      only_for({height_field}, required("spacing", number(positive, "L"),
+                                        "how far apart its points are along x and y", "0.5")),
+      only_for({mesh, box, plate, height_field},
                key("thickness", number(not_negative, "L"),
                    "spheres touch it from this distance on, so that its edges are round", "0.1", "0.0")),
       only_for({mesh}, key("weld", number(fraction),
@@ -500,8 +504,9 @@ TableDescription walls_keys() {
     if (!std::is_same_v<S, Plane>) around.push_back("a " + std::string(S::kName));
   });
   shapes.insert(shapes.end(), kMeshShapes.begin(), kMeshShapes.end());
-  for (const char* const point : {"the origin of the file of a mesh", "the center of the box",
-                                  "the center of one end of the capsule", "a corner of the plate"})
+  for (const char* const point :
+       {"the origin of the file of a mesh", "the center of the box", "the center of one end of the capsule",
+        "a corner of the plate", "below the first point of the heights"})
     points.emplace_back(point);
   std::vector<KeyDescription> keys{
       required("shape", choice(shapes), "its shape; the spheres are inside " + enumerated(around, " or "),

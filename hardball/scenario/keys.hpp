@@ -14,7 +14,8 @@
 namespace hardball {
 
 /// The shapes of walls that are meshes: of a file, or of a few triangles.
-inline constexpr std::array<std::string_view, 4> kMeshShapes{"mesh", "box", "capsule", "plate"};
+inline constexpr std::array<std::string_view, 5> kMeshShapes{"mesh", "box", "capsule", "plate",
+                                                             "height_field"};
 
 /// What a value is.
 enum class ValueType {

@@ -11,6 +11,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/meshes/read_height_field.hpp"
 #include "hardball/meshes/read_mesh.hpp"
 #include "hardball/scenario/keys.hpp"
 #include "hardball/surfaces/make_mesh.hpp"
@@ -48,6 +49,10 @@ MeshParts read_parts(const Section& section, std::string_view shape, const std::
   if (shape == kMeshShapes[0]) return read_mesh(folder / section.need("file").text());
   if (shape == kMeshShapes[1]) return box_mesh(section.need("size").vector(kAxes));
   if (shape == kMeshShapes[2]) return segment_mesh(section.need("end").vector(kAxes));
+  if (shape == kMeshShapes[4]) {
+    const auto [heights, columns] = read_height_field(folder / section.need("file").text());
+    return height_field_mesh(heights, columns, section.need("spacing").number());
+  }
   const Value edges = section.need("edges");
   const std::vector<Vec3> both = edges.vectors(kAxes);
   if (both.size() != 2) edges.wrong_length(both.size(), "give two vectors, from a corner to the next ones");

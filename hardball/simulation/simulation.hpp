@@ -36,6 +36,7 @@
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/place_edit.hpp"
 #include "hardball/world/progress.hpp"
+#include "hardball/world/step_levels.hpp"
 #include "hardball/world/totals.hpp"
 #include "hardball/world/velocity_change.hpp"
 #include "hardball/world/velocity_edit.hpp"
@@ -221,6 +222,10 @@ class HARDBALL_EXPORT Simulation {
   std::vector<SphereId> overlap(const Extent& extent, const BodyMask& mask = {}) const {
     return hardball::overlap(search(), now_, extent, filter_of(mask));
   }
+
+  /// The spheres that are now inside of a step of their potential with one, in the order of ids; see
+  /// partners_of (step_levels.hpp).
+  std::vector<SphereId> partners(SphereId id) const { return partners_of(world(), id); }
 
   double time() const { return now_.value(); }  ///< [T]
   const Time& now() const { return now_; }

@@ -91,6 +91,21 @@ double first_within(const Descents::Interval& during, const NormalCone& cone) {
   return t;
 }
 
+// Whether a triangle touches no sphere on its border that moves no farther than `way` [L] from where it
+// touches the triangle: it is above the face.
+bool is_within(const std::array<Vec3, 3>& corners, const Vec3& center, double radius, double way) {
+  const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double least_square = way * (2 * radius + way);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 along = corners[(k + 1) % 3] - corners[k];
+    // In the plane, from the side: times the lengths of the side and of the normal.
+    const double beyond = dot(cross(along, center - corners[k]), normal);
+    if (!(beyond > 0 && beyond * beyond > least_square * dot(along, along) * dot(normal, normal)))
+      return false;
+  }
+  return true;
+}
+
 // A feature of a mesh as a sphere sees it that passes by.
 class Encounter {
  public:
@@ -325,12 +340,12 @@ MeshContact MeshShape::first_contact(const Passage& passage, double begin, doubl
   struct Candidate {
     double bound;
     std::uint32_t triangle;
+    bool has_face_only;  // that can be touched first
   };
   std::vector<Candidate> candidates;
   double farthest = end;
   mesh_->tree().for_each_within(
-      farthest,
-      [&](const Extent& extent) { return ball.stay_within(extent, begin, farthest, rounding).first; },
+      farthest, [&](const Extent& extent) { return ball.free_until(extent, begin, farthest, rounding); },
       [&](std::uint32_t triangle) {
         const auto& [ia, ib, ic] = mesh_->triangles()[triangle];
         const Vec3& a = mesh_->vertices()[ia];
@@ -346,19 +361,32 @@ MeshContact MeshShape::first_contact(const Passage& passage, double begin, doubl
         Extent around{a, a};
         around.enclose({b, b});
         around.enclose({c, c});
-        const SweptBall::Stay stay = ball.stay_within(around, begin, farthest, rounding);
-        double t = stay.first;
-        while (t <= stay.last && t <= farthest && t < kNoContact) {
+        double t = ball.free_until(around, begin, farthest, rounding);
+        while (t <= farthest && t < kNoContact) {
           const Gap gap = gap_at(t);
           const double enough = rounding + 1e-9 * ball.radius_at(t);
           if (gap.width <= enough) {
             // On a line, the gap to what is convex opens for good once it does.
             const double uncertain = 4 * rounding / ball.radius_at(t) * length(ball.velocity_at(t));
             if (acceleration == 0 && gap.speed > uncertain) return;
-            candidates.push_back({t, triangle});
+            // On a parabola, it opens until it turns, if it is wide open by then.
+            const double opening = (gap.speed - uncertain) / acceleration;
+            if (gap.speed > uncertain && 0.5 * (gap.speed - uncertain) * opening > 2 * enough) {
+              t += opening;
+              continue;
+            }
+            candidates.push_back({t, triangle, false});
             // It is certainly touched if it soon overlaps: nothing later matters.
-            const double soon = t + 2 * std::max(gap.width, rounding) / -gap.speed;
-            if (gap.speed < 0 && soon < farthest && gap_at(soon).width < -rounding) farthest = soon;
+            const double soon = t + 2 * (std::max(gap.width, 0.0) + rounding) / -gap.speed;
+            if (!(gap.speed < 0 && gap_at(soon).width < -rounding)) return;
+            farthest = std::min(farthest, soon);
+            // Nor does its border, if it cannot be touched until then.
+            const double speed =
+                length(ball.velocity_at(t)) + acceleration * (soon - t) + std::fabs(ball.growth());
+            const double way = 2 * speed * (soon - t) + 2 * std::fabs(gap.width) + 4 * rounding;
+            candidates.back().has_face_only =
+                t > begin && mesh_->has_area(triangle) &&
+                is_within({a, b, c}, ball.position_at(t), ball.radius_at(t), way);
             return;
           }
           const double next = t + safe_step({gap.width - 0.5 * rounding, gap.speed, gap.curvature});
@@ -380,6 +408,7 @@ MeshContact MeshShape::first_contact(const Passage& passage, double begin, doubl
   for (const Candidate& candidate : candidates) {
     if (candidate.bound > first.wait) break;
     note(candidate.triangle);
+    if (candidate.has_face_only) continue;
     for (const std::uint32_t edge : mesh_->edges_of(candidate.triangle)) {
       if (edge != Mesh::kNoEdge) note(faces + edge);
     }

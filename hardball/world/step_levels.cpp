@@ -130,6 +130,14 @@ std::vector<Bond> bonds_of(const World& world) {
   return bonds;
 }
 
+std::vector<SphereId> partners_of(const World& world, SphereId id) {
+  std::vector<SphereId> partners;
+  for (const PairLevel& pair : world.pair_levels().of(world.slot_of(id)))
+    partners.push_back(world.id(pair.partner));
+  std::ranges::sort(partners);
+  return partners;
+}
+
 void assign_levels(World& world, const Time& moment) {
   if (!world.has_steps()) return;
   check_ranges(world);

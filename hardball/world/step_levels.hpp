@@ -28,6 +28,10 @@ HARDBALL_EXPORT void add_bond(World& world, SphereId a, SphereId b, StepTable::N
 /// The bonds by the ids of their spheres, in order. Cost: O(pairs log pairs), O(1) if there are none.
 HARDBALL_EXPORT std::vector<Bond> bonds_of(const World& world);
 
+/// The spheres that are inside of a step of their potential with one, in the order of ids: those in its well,
+/// tied to it, or that overlap a sensor. Error: no sphere has this id. Cost: O(partners log partners).
+HARDBALL_EXPORT std::vector<SphereId> partners_of(const World& world, SphereId id);
+
 /// Finds the levels of all pairs from their distances at `moment`; at the distance of a step those that
 /// approach each other are inside. To be called once, before the first event: from then on levels are a
 /// state. Cost: O(n). Error: spheres that are tied are too far apart or too close; a step reaches to half

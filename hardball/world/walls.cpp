@@ -42,6 +42,14 @@ void for_each_image(const Box& box, const Extent& extent, const Extent& part, Vi
   }
 }
 
+// Calls visit(image) for each image of what is within an extent that may have the point nearest to another:
+// that is no farther than half a period along any axis.
+template <class Visit>
+void for_each_image_nearby(const Box& box, const Extent& extent, const Vec3& position, Visit&& visit) {
+  const Vec3 half = 0.5 * box.size();
+  for_each_image(box, extent, {position - half, position + half}, visit);
+}
+
 Extent around(const Vec3& position, double distance) {
   return Extent{position, position}.grown(distance);
 }
@@ -57,9 +65,7 @@ double distance_to_mesh(const Box& box, const Surface& mesh, const Vec3& positio
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const bool is_inside = mesh.mesh()->spheres() == MeshSide::inside;
   double distance = is_inside ? -kInfinity : kInfinity;
-  // The nearest point of some image is no farther than half a period along any axis.
-  const Vec3 half = 0.5 * box.size();
-  for_each_image(box, extent_of(mesh), {position - half, position + half}, [&](const Image& image) {
+  for_each_image_nearby(box, extent_of(mesh), position, [&](const Image& image) {
     const double to_image = mesh.distance(position - box.shift(image), moment);
     distance = is_inside ? std::max(distance, to_image) : std::min(distance, to_image);
   });
@@ -72,10 +78,8 @@ double distance_to_obstacles(const Setting& setting, const Vec3& position) {
   if (setting.obstacles().is_empty()) return least;
   const Box& box = setting.box();
   constexpr double kRoundedUp = 1 + 0x1p-40;
-  const Vec3 half = 0.5 * box.size();
   double farthest = least;
-  const Extent all = setting.obstacles().extent();
-  for_each_image(box, all, {position - half, position + half}, [&](const Image& image) {
+  for_each_image_nearby(box, setting.obstacles().extent(), position, [&](const Image& image) {
     const Vec3 shift = box.shift(image);
     setting.obstacles().for_each_within(
         farthest, [&](const Extent& extent) { return distance_to(extent, position - shift); },
@@ -216,8 +220,11 @@ MeshTouch touch_of_mesh(const Setting& setting, std::uint32_t number, const Path
                         const Time& moment) {
   const Surface& mesh = setting.surface(number);
   const double until = std::nextafter(moment.high, std::numeric_limits<double>::infinity());
+  // Whoever sees the sphere arrive knows better what it touches.
+  const double speed = length(setting.motion().state_at(path, moment).velocity);
+  const Time arriving = later(path.time, Time(moment.high - 0.25 * radius / speed));
   const auto [contact, image] =
-      first_contact_with_mesh(setting.box(), setting.motion(), mesh, path, radius, moment, until);
+      first_contact_with_mesh(setting.box(), setting.motion(), mesh, path, radius, arriving, until);
   HARDBALL_CHECK(contact.time == moment);
   const Path passing{path.position - setting.box().shift(image), path.velocity, path.time};
   return {image, contact.feature,
@@ -255,10 +262,15 @@ double distance_to_surface(const Box& box, const Surface& surface, const Vec3& p
   return surface.distance(position - nearest_image_of(box, surface, position), moment);
 }
 
-double distance_to_solids(const Setting& setting, const Vec3& position) {
+double clearance_of_solids(const Setting& setting, const Vec3& position) {
+  const Box& box = setting.box();
   double least = distance_to_obstacles(setting, position);
   for (const std::uint32_t number : setting.meshes()) {
-    least = std::min(least, distance_to_surface(setting.box(), setting.surface(number), position, Time()));
+    const Surface& mesh = setting.surface(number);
+    for_each_image_nearby(box, extent_of(mesh), position, [&](const Image& image) {
+      const Vec3 relative = position - box.shift(image) - mesh.point();
+      least = std::min(least, mesh.mesh()->mesh().clearance(relative) - mesh.mesh()->thickness());
+    });
   }
   return least;
 }

@@ -97,9 +97,10 @@ HARDBALL_EXPORT double distance_to_surface(const Box& box, const Surface& surfac
 /// it, and infinite if there are none.
 HARDBALL_EXPORT double distance_to_surfaces(const Setting& setting, const Vec3& position, const Time& moment);
 
-/// The distance from a point to the nearest solid or image of one [L]; negative on the wrong side of a mesh,
-/// and infinite if there are none. Precondition: solids rest.
-HARDBALL_EXPORT double distance_to_solids(const Setting& setting, const Vec3& position);
+/// A distance from a point within which there is nothing of a solid or of an image of one [L], at least three
+/// quarters of the greatest; not positive within an obstacle, and infinite if there are no solids.
+/// Precondition: solids rest. Cost: O(log n) of n obstacles or triangles.
+HARDBALL_EXPORT double clearance_of_solids(const Setting& setting, const Vec3& position);
 
 /// More than coordinates and distances near solids are rounded by [L].
 HARDBALL_EXPORT double rounding_near_solids(const Setting& setting);

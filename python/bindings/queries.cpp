@@ -233,6 +233,15 @@ void bind_queries(SimulationClass& simulation) {
           py::arg("of"), py::kw_only(), species, groups, walls,
           (std::string("`of` is a point, or the id of a sphere. ") + doc::clearance + mask_text).c_str())
       .def(
+          "partners",
+          [](const PythonSimulation& self, SphereId id) {
+            return array_around(self.simulation().partners(id));
+          },
+          py::arg("id"),
+          "The ids of the spheres that are now inside of a step of their potential with a sphere: in its "
+          "well, tied to it, or overlapping a sensor. In order, shape (n,). Error: no sphere has this id. "
+          "Cost: O(n log n).")
+      .def(
           "overlap", &overlap, py::arg("center") = py::none(), py::arg("radius") = py::none(), py::kw_only(),
           py::arg("low") = py::none(), py::arg("high") = py::none(), species, groups,
           (std::string("The ids of the spheres that overlap a ball around `center` with this radius [L], or "

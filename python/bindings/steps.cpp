@@ -55,6 +55,7 @@ void bind_steps(py::module_& module) {
            "energy [M L^2 T^-2] inside of it, from the inside to the outside. The spheres bounce off each "
            "other at the ratio `core`, zero if they may take the same place. With `tether` they never part "
            "beyond the last step.")
+      .def_static("sensor", &StepPotential::sensor, doc::StepPotential_sensor)
       .def_property_readonly("steps", &steps_of, "Pairs of ratio and energy, from the inside to the outside.")
       .def_property_readonly(
           "core", [](const StepPotential& self) { return self.rules().core; }, doc::StepRules_core)

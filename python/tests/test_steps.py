@@ -44,6 +44,21 @@ class Steps(unittest.TestCase):
         apart = np.linalg.norm(np.diff(simulation.positions, axis=0))
         self.assertTrue(0.9 - 1e-9 <= apart <= 3.5 + 1e-9)
 
+    def test_sensors(self):
+        steps = hardball.StepTable()
+        steps.set(0, 1, hardball.StepPotential.sensor())
+        simulation = pair(steps=steps, species=[0, 1])
+        seen = []
+        simulation.on_contact(lambda contact: seen.append((contact.time, contact.step.is_outward)))
+        simulation.run(until=3)
+        self.assertEqual((list(simulation.partners(0)), list(simulation.partners(1))), ([1], [0]))
+        simulation.run(until=10)
+        self.assertEqual(seen, [(2.0, False), (4.0, True)])
+        self.assertEqual(list(simulation.partners(0)), [])
+        np.testing.assert_array_equal(simulation.velocities, [[0.5, 0, 0], [-0.5, 0, 0]])
+        with self.assertRaises(hardball.Error):
+            simulation.partners(5)
+
     def test_potentials_are_values(self):
         potential = hardball.StepPotential([(1.2, -2.0), (1.5, -1.0)], core=0.5)
         self.assertEqual(repr(potential), "hardball.StepPotential([(1.2, -2), (1.5, -1)], core=0.5)")

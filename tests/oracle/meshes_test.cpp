@@ -15,6 +15,7 @@
 #include "hardball/meshes/mesh.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/surfaces/surface.hpp"
+#include "hardball/world/walls.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::meshes_test {
@@ -493,6 +494,105 @@ TEST(Tube, OfFacesApproachesTheCylinderWithTheSquareOfTheirNumber) {
     before = deviation;
   }
   EXPECT_LT(before, 1e-3);
+}
+
+// A ring, of rings that are twice as many as the sides of each.
+MeshParts torus(std::uint32_t sides, double large, double small) {
+  constexpr double kTurn = 2 * 3.14159265358979323846;
+  const std::uint32_t rings = 2 * sides;
+  MeshParts parts;
+  for (std::uint32_t i = 0; i < rings; ++i) {
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const double around = kTurn * i / rings;
+      const double across = kTurn * k / sides;
+      const double from_axis = large + small * std::cos(across);
+      parts.vertices.push_back(
+          {from_axis * std::cos(around), from_axis * std::sin(around), small * std::sin(across)});
+      const auto at = [&](std::uint32_t ring, std::uint32_t side) {
+        return ring % rings * sides + side % sides;
+      };
+      parts.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      parts.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  }
+  return parts;
+}
+
+// When a point at unit speed first is `reach` away from the round ring, by steps as long as it is still away.
+double plain_time_to_torus(const Path& path, double large, double small, bool is_inside, double reach) {
+  double t = 0;
+  for (int step = 0; step < 100000 && t < 20; ++step) {
+    const Vec3 at = path.position + t * path.velocity;
+    const double away = std::hypot(std::hypot(at.x, at.y) - large, at.z);
+    const double gap = (is_inside ? small - away : away - small) - reach;
+    if (gap < 1e-13) return t;
+    t += gap;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+TEST(Torus, OfTrianglesApproachesTheRoundOneWithTheSquareOfTheirNumber) {
+  constexpr double kLarge = 2;
+  constexpr double kSmall = 1;
+  constexpr double kRadius = 0.2;
+  for (const bool is_inside : {true, false}) {
+    double before = 0;
+    for (const std::uint32_t sides : {16U, 32U, 64U}) {
+      const Surface mesh(MeshShape(std::make_shared<const Mesh>(torus(sides, kLarge, kSmall))), {});
+      Random random(5);
+      double sum = 0;
+      int hits = 0;
+      for (int i = 0; i < 400; ++i) {
+        const Vec3 start = is_inside ? Vec3{kLarge, 0, 0} + 0.5 * random.direction() : 6 * random.direction();
+        const Vec3 aim{kLarge * (2 * random.uniform() - 1), kLarge * (2 * random.uniform() - 1), 0};
+        const Vec3 way = is_inside ? random.direction() : aim - start;
+        const Path path{start, (1 / length(way)) * way, Time(0)};
+        const double exact = plain_time_to_torus(path, kLarge, kSmall, is_inside, kRadius);
+        const double found = mesh.contact_time(Motion(), path, kRadius).high;
+        // A sphere that grazes one of the two may miss the other.
+        if (!(std::fabs(found - exact) < 0.3)) continue;
+        sum += (found - exact) * (found - exact);
+        ++hits;
+      }
+      EXPECT_GT(hits, 200);
+      const double deviation = std::sqrt(sum / hits);
+      EXPECT_LT(deviation, 20.0 / (sides * sides)) << sides;
+      if (before > 0) {
+        EXPECT_NEAR(before / deviation, 4, 1.2) << sides << (is_inside ? " inside" : " outside");
+      }
+      before = deviation;
+    }
+  }
+}
+
+// In a periodic box, a mesh and the same one a period away are one.
+TEST(Contacts, AreTheSameWhereTheMeshIsMovedByAPeriod) {
+  constexpr double kPeriod = 16;
+  const Box box = Box::periodic({kPeriod, kPeriod, kPeriod});
+  std::size_t hits = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(1000); ++seed) {
+    Random random(seed);
+    const auto mesh = random_mesh(random);
+    const Extent& extent = mesh->extent();
+    if (length(extent.high - extent.low) > kPeriod) continue;
+    const MeshShape shape(mesh);
+    const Vec3 point{kPeriod * random.uniform(), kPeriod * random.uniform(), kPeriod * random.uniform()};
+    const double radius = std::array{0.05, 0.4, 3.0}[random.bits() % 3];
+    const Vec3 start{kPeriod * random.uniform(), kPeriod * random.uniform(), kPeriod * random.uniform()};
+    const Path path{start, random.direction(), Time(0)};
+    const Motion motion(seed % 2 == 0 ? Vec3{} : 0.1 * random.direction());
+    constexpr double kUntil = 20;
+    const auto contact_at = [&](const Vec3& place) {
+      return first_contact_with_mesh(box, motion, Surface(shape, place), path, radius, Time(0), kUntil)
+          .contact.time.high;
+    };
+    const double expected = contact_at(point);
+    const double found = contact_at(point + Vec3{kPeriod, -kPeriod, 0});
+    if (expected > kUntil && found > kUntil) continue;
+    ++hits;
+    EXPECT_NEAR(found, expected, 1e-7) << "seed " << seed;
+  }
+  EXPECT_GT(hits, support::cases(1000) / 10);
 }
 
 }  // namespace

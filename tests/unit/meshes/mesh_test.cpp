@@ -135,6 +135,17 @@ TEST(Mesh, FindsTheNearestPointAsAllTrianglesDo) {
   }
 }
 
+TEST(Mesh, HasAClearanceThatIsNotMuchLessThanTheDistance) {
+  Random random(4);
+  const Mesh mesh(torus(30, 15, 2, 1));
+  for (std::uint64_t i = 0; i < support::cases(10000); ++i) {
+    const Vec3 point = random_point(random, 2);
+    const double distance = length(mesh.nearest(point).point - point);
+    EXPECT_LE(mesh.clearance(point), distance);
+    EXPECT_GE(mesh.clearance(point), 0.75 * distance);
+  }
+}
+
 TEST(Mesh, IsWeldedAndSplitWhereVerticesLieOnEdges) {
   // Two triangles side by side, opposite to one that is as long as both.
   MeshParts parts{{{0, 0, 0},
