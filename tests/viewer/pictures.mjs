@@ -80,6 +80,33 @@ const kPictures = {
       await page.evaluate(() => window.hardball.setTime(2.15));
     },
   },
+  // Grains in an hourglass, a mesh from a file.
+  viewer_hourglass: {
+    scenario: 'hourglass.toml',
+    settings: ['--until', '9'],
+    scheme: 'light',
+    async prepare(page) {
+      await page.evaluate(() => window.hardball.setTime(8));
+    },
+  },
+  // Two rows of kinematic spheres stir a few grains.
+  viewer_mixer: {
+    scenario: 'mixer.toml',
+    settings: ['--until', '20', '--set', 'spheres.1.count=120'],
+    scheme: 'light',
+    async prepare(page) {
+      await page.evaluate(() => window.hardball.setTime(19));
+    },
+  },
+  // Balls that have fallen through the pegs of a Galton board.
+  viewer_galton: {
+    scenario: 'galton_board.toml',
+    settings: ['--until', '26'],
+    scheme: 'light',
+    async prepare(page) {
+      await page.evaluate(() => window.hardball.setTime(20));
+    },
+  },
 };
 
 const settled = (page) =>

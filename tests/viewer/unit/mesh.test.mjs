@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Box } from '../../../apps/viewer/page/src/motion/box.js';
 import { extentOf } from '../../../apps/viewer/page/src/motion/extent.js';
-import { normalOf } from '../../../apps/viewer/page/src/motion/mesh.js';
+import { isSegment, normalOf } from '../../../apps/viewer/page/src/motion/mesh.js';
 import { readSurfaces } from '../../../apps/viewer/page/src/motion/surfaces.js';
 import { assertNear } from '../support/near.mjs';
 
@@ -28,6 +28,8 @@ test('a mesh has the triangles of the header', () => {
   assert.deepEqual(roof.mesh.high, [2, 4, 1]);
   assertPlace(normalOf(roof.mesh.triangles[1]), [1, 0, 2].map((part) => part / Math.sqrt(5)));
   assertPlace(normalOf([[0, 0, 0], [1, 1, 1], [2, 2, 2]]), [0, 0, 0]);
+  assert.equal(roof.mesh.triangles.some(isSegment), false);
+  assert.equal(isSegment([[0, 0, 0], [1, 2, 3], [1, 2, 3]]), true);
 });
 
 test('spheres touch faces, edges and corners of a mesh', () => {

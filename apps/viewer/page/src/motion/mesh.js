@@ -35,6 +35,11 @@ function nearestOnTriangle(corners, place) {
   return ends[distances.indexOf(Math.min(...distances))];
 }
 
+/** Whether a triangle is a segment, from its first corner to its last. */
+export function isSegment([, b, c]) {
+  return b.every((place, axis) => place === c[axis]);
+}
+
 /** The triangles of a mesh, around its point. */
 export class MeshTriangles {
   /** Coordinates [L] and indices of corners, as in the header of a recording. */

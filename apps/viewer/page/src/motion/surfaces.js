@@ -19,6 +19,8 @@ export class Surface {
     this.radius = entry.radius ?? 0;
     /** Of a cone: its radius over the distance from the apex. */
     this.slope = entry.slope ?? 0;
+    /** By how much a mesh is thicker than its triangles, to all sides [L]. */
+    this.thickness = entry.thickness ?? 0;
     this.velocity = entry.velocity ?? [0, 0, 0];
     this.amplitude = entry.amplitude ?? 0;
     this.frequency = entry.frequency ?? 0;

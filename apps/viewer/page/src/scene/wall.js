@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 import {
   BufferGeometry,
+  CapsuleGeometry,
   CylinderGeometry,
   DoubleSide,
   EdgesGeometry,
@@ -14,7 +15,7 @@ import {
   SphereGeometry,
   Vector3,
 } from 'three';
-import { normalOf } from '../motion/mesh.js';
+import { isSegment, normalOf } from '../motion/mesh.js';
 import { roundUp } from '../statistics/speeds.js';
 import { kTranslucent, shaderMaterial } from './drawing.js';
 import { dot, planePatch, rangeAlong, tangents } from './plane_patch.js';
@@ -180,7 +181,18 @@ export class SphereWall extends Wall {
   }
 }
 
-/** A mesh: translucent, with the edges at which it bends. */
+// A segment as a rod with round ends.
+function rod([from, , to], radius, tint, shared) {
+  const [begin, end] = [new Vector3(...from), new Vector3(...to)];
+  const geometry = new CapsuleGeometry(radius, begin.distanceTo(end), 4, 12);
+  useSpots(geometry, 0, 0);
+  const made = new Mesh(geometry, wallMaterial(tint, shared, 0.5));
+  made.position.lerpVectors(begin, end, 0.5);
+  made.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), end.sub(begin).normalize());
+  return made;
+}
+
+/** A mesh: translucent, with the edges at which it bends. Its segments are rods if it has a thickness, and lines if not. */
 export class MeshWall extends Wall {
   constructor(surface, tint, shared) {
     const { triangles } = surface.mesh;
@@ -191,7 +203,14 @@ export class MeshWall extends Wall {
     // Between the lines that other walls have.
     geometry.setAttribute('spot', new Float32BufferAttribute(new Float32Array(6 * triangles.length).fill(0.5), 2));
     const lines = new LineSegments(new EdgesGeometry(geometry, kBend), lineMaterial(tint));
-    super(surface, new Group().add(new Mesh(geometry, wallMaterial(tint, shared, 0.5)), lines));
+    const faces = new Mesh(geometry, wallMaterial(tint, shared, 0.5));
+    const segments = triangles.filter(isSegment);
+    const { thickness } = surface;
+    const rods =
+      thickness > 0
+        ? segments.map((segment) => rod(segment, thickness, tint, shared))
+        : segments.map(([from, , to]) => lineThrough([...from, ...to], tint, Line));
+    super(surface, new Group().add(faces, lines, ...rods));
   }
 }
 
