@@ -394,16 +394,23 @@ class Forecast {
     const State state = world_.motion().state_at(world_.path(slot), now_);
     const double elapsed = std::max(0.0, until - rounded_down(now_));
     const double radius = world_.base_radius(slot) * world_.motion().largest_scale();
-    const double way = elapsed * (length(state.velocity) + 0.5 * elapsed * length(world_.motion().gravity()));
-    const double moved = length(state.position - ball.center);
+    const double pull = world_.motion().is_straight() ? 0 : length(world_.motion().gravity());
+    const double way = elapsed * (length(state.velocity) + 0.5 * elapsed * pull);
+    const Vec3& at = state.position;
     // More than all of these are rounded by.
-    const double margin = solid_rounding_ + 0x1p-40 * (length(state.position) + way + radius);
+    const double margin =
+        solid_rounding_ + 0x1p-40 * (std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z) + way + radius);
     const double reach = way + radius + margin;
-    if (moved + reach < ball.distance) return true;
+    const Vec3 moved = at - ball.center;
+    const double room = ball.distance - reach;
+    if (room > 0 && dot(moved, moved) < room * room) return true;
     // Near a solid, looking for one costs less than looking around.
     constexpr double kFarthest = 4.0 / 3;  // where a solid is, over the clearance
-    if (moved < 0.5 * radius || moved + kFarthest * ball.distance < reach) return false;
-    ball = {state.position, clearance_of_solids(world_, state.position)};
+    const double distance = length(moved);
+    if (distance < 0.5 * radius || distance + kFarthest * ball.distance < reach) return false;
+    // Farther away, it costs less to look again.
+    constexpr double kEnough = 3;  // reaches
+    ball = {at, clearance_of_solids(world_, at, kEnough * reach)};
     return reach < ball.distance;
   }
 

@@ -305,9 +305,9 @@ void Mesh::measure() {
   tree_ = ExtentTree(items);
 }
 
-double Mesh::clearance(const Vec3& point) const {
+double Mesh::clearance(const Vec3& point, double enough) const {
   constexpr double kPart = 0.8;
-  double clear = std::numeric_limits<double>::infinity();
+  double clear = enough;
   tree_.for_each_within(
       clear, [&](const Extent& extent) { return distance_to(extent, point); },
       [&](std::uint32_t triangle) {

@@ -130,9 +130,9 @@ class HARDBALL_EXPORT Mesh {
   /// The point of the mesh nearest to another [L]; of several triangles, the first. Cost: O(log n) on
   /// average.
   NearestPoint nearest(const Vec3& point) const;
-  /// A distance within which there is nothing of the mesh [L], at least three quarters of the greatest. Cost:
-  /// O(log n), a fraction of that of nearest().
-  double clearance(const Vec3& point) const;
+  /// A distance within which there is nothing of the mesh [L]: at least three quarters of the greatest, or
+  /// `enough` [L] if that is less. Cost: O(log n), a fraction of that of nearest().
+  double clearance(const Vec3& point, double enough) const;
 
   std::size_t memory_bytes() const;
 

@@ -262,14 +262,15 @@ double distance_to_surface(const Box& box, const Surface& surface, const Vec3& p
   return surface.distance(position - nearest_image_of(box, surface, position), moment);
 }
 
-double clearance_of_solids(const Setting& setting, const Vec3& position) {
+double clearance_of_solids(const Setting& setting, const Vec3& position, double enough) {
   const Box& box = setting.box();
-  double least = distance_to_obstacles(setting, position);
+  double least = std::min(enough, distance_to_obstacles(setting, position));
   for (const std::uint32_t number : setting.meshes()) {
     const Surface& mesh = setting.surface(number);
     for_each_image_nearby(box, extent_of(mesh), position, [&](const Image& image) {
       const Vec3 relative = position - box.shift(image) - mesh.point();
-      least = std::min(least, mesh.mesh()->mesh().clearance(relative) - mesh.mesh()->thickness());
+      const double thickness = mesh.mesh()->thickness();
+      least = std::min(least, mesh.mesh()->mesh().clearance(relative, least + thickness) - thickness);
     });
   }
   return least;

@@ -97,10 +97,10 @@ HARDBALL_EXPORT double distance_to_surface(const Box& box, const Surface& surfac
 /// it, and infinite if there are none.
 HARDBALL_EXPORT double distance_to_surfaces(const Setting& setting, const Vec3& position, const Time& moment);
 
-/// A distance from a point within which there is nothing of a solid or of an image of one [L], at least three
-/// quarters of the greatest; not positive within an obstacle, and infinite if there are no solids.
-/// Precondition: solids rest. Cost: O(log n) of n obstacles or triangles.
-HARDBALL_EXPORT double clearance_of_solids(const Setting& setting, const Vec3& position);
+/// A distance from a point within which there is nothing of a solid or of an image of one [L]: at least three
+/// quarters of the greatest, or `enough` [L] if that is less; not positive within an obstacle. Precondition:
+/// solids rest. Cost: O(log n) of n obstacles or triangles.
+HARDBALL_EXPORT double clearance_of_solids(const Setting& setting, const Vec3& position, double enough);
 
 /// More than coordinates and distances near solids are rounded by [L].
 HARDBALL_EXPORT double rounding_near_solids(const Setting& setting);
