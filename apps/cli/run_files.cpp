@@ -25,6 +25,7 @@ constexpr const char* kRecording = "recording.hbr";
 constexpr const char* kReport = "report.html";
 constexpr const char* kMeasures = "measures";
 constexpr const char* kQuantities = "quantities.csv";
+constexpr const char* kFaceForces = "_face_forces.vtp";  // after the name of a wall
 
 std::filesystem::path table_of(std::string_view measure) {
   return std::string(measure) + ".csv";
@@ -40,6 +41,12 @@ void remove_empty(const std::filesystem::path& folder) {
 void remove_measures(const std::filesystem::path& folder) {
   std::filesystem::remove(folder / kQuantities);
   for (const std::string_view name : measure_names()) std::filesystem::remove(folder / table_of(name));
+  if (!std::filesystem::is_directory(folder)) return;
+  std::vector<std::filesystem::path> of_faces;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().filename().string().ends_with(kFaceForces)) of_faces.push_back(entry.path());
+  }
+  for (const std::filesystem::path& path : of_faces) std::filesystem::remove(path);
   remove_empty(folder);
 }
 
@@ -256,7 +263,8 @@ void RunFiles::keep_current() {
   for (auto& [name, trajectory] : trajectories_) trajectory.flush();
 }
 
-void RunFiles::finish(double time, std::span<const Measurement> measurements, const std::string& summary,
+void RunFiles::finish(double time, std::span<const Measurement> measurements,
+                      std::span<const FaceForces> forces, const std::string& summary,
                       const std::string& report) {
   for (auto& [name, trajectory] : trajectories_) trajectory.close();
   if (events_) events_->close();
@@ -267,6 +275,8 @@ void RunFiles::finish(double time, std::span<const Measurement> measurements, co
       if (!measurement.columns.empty())
         replace_file(folder / table_of(measurement.name), columns_csv(measurement));
     }
+    for (const FaceForces& of_mesh : forces)
+      replace_file(folder / (of_mesh.wall + kFaceForces), vtp_text(of_mesh));
     replace_file(folder / kQuantities, quantities_csv(measurements));
   }
   if (!report.empty()) replace_file(directory_ / kReport, report);

@@ -92,10 +92,10 @@ class RunFiles {
   /// Makes the event log and the trajectories complete for readers, at most once a second, so that little is
   /// lost if the process is killed. Error (RunFailure): it cannot be written.
   void keep_current();
-  /// Completes all files at the end, at this time [T], and writes the measures, the summary, and the report
-  /// unless it is empty. Error (RunFailure): they cannot be written.
-  void finish(double time, std::span<const Measurement> measurements, const std::string& summary,
-              const std::string& report);
+  /// Completes all files at the end, at this time [T], and writes the measures, the forces on the triangles
+  /// of meshes, the summary, and the report unless it is empty. Error (RunFailure): they cannot be written.
+  void finish(double time, std::span<const Measurement> measurements, std::span<const FaceForces> forces,
+              const std::string& summary, const std::string& report);
 
  private:
   std::filesystem::path directory_;

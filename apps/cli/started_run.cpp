@@ -264,9 +264,11 @@ ExitCode carry_out(StartedRun& run) {
   Course course(run);
   const bool is_complete = course.complete();
   std::vector<Measurement> measurements;
+  std::vector<FaceForces> forces;
   if (run.measures.is_any_wanted() || (run.directory && run.scenario.output.report)) {
     run.measures.sample_the_rest(simulation.world(), simulation.now());
     measurements = run.measures.results(simulation.world(), simulation.now());
+    forces = run.measures.face_forces(simulation.world(), simulation.now());
   }
   if (is_complete && !course.errors().reached()) {
     for (std::string& failure : course.errors().failures(measurements))
@@ -281,7 +283,7 @@ ExitCode carry_out(StartedRun& run) {
   if (run.directory && run.scenario.output.report)
     html = to_html(run_report(run.choice, run.scenario, simulation, summary, measurements, is_complete));
   in_first(run.processes(), [&] {
-    if (run.files) run.files->finish(simulation.time(), measurements, json, html);
+    if (run.files) run.files->finish(simulation.time(), measurements, forces, json, html);
     if (run.output.silent) return;
     write_output(run.output.json ? json : summary.table());
     if (is_complete) return;

@@ -23,20 +23,49 @@ namespace hardball::cli {
 namespace {
 
 // Summaries of measured_walls from the tally at `now`. The world may be without spheres.
-std::vector<WallSummary> summarize_walls(const World& world, const Tally& tally, const Time& now) {
+std::vector<WallSummary> summarize_walls(const Scenario& scenario, const World& world, const Tally& tally,
+                                         const Time& now) {
   std::vector<WallSummary> walls;
   const double elapsed = tally.elapsed(now);
   for (const std::uint32_t wall : measured_walls(world)) {
-    WallSummary summary;
-    summary.name = wall_name(world, wall);
-    summary.shape = wall < kFaces ? "face" : std::string(world.surface(wall).name());
-    summary.tally = tally.wall(wall);
-    summary.area = wall_area(world, wall);
-    summary.force = summary.tally.normal_impulse / elapsed;
-    summary.pressure = std::isfinite(summary.area) ? summary.force / summary.area : kNoNumber;
-    walls.push_back(summary);
+    const bool is_surface = wall >= kFaces;
+    const std::string shape = is_surface ? std::string(world.surface(wall).name()) : "face";
+    const Vec3 offset = is_surface && wall - kFaces < scenario.surfaces.size()
+                            ? scenario.surfaces[wall - kFaces].torque_offset
+                            : Vec3{};
+    const auto summarize = [&](const std::string& name, const WallTally& of_it, double area) {
+      WallSummary summary{.name = name, .shape = shape, .tally = of_it, .area = area};
+      summary.force = of_it.normal_impulse / elapsed;
+      summary.pressure = std::isfinite(area) ? summary.force / area : kNoNumber;
+      if (is_surface) summary.torque = (1 / elapsed) * (of_it.angular_impulse - cross(offset, of_it.impulse));
+      return summary;
+    };
+    walls.push_back(summarize(wall_name(world, wall), tally.wall(wall), wall_area(world, wall)));
+    const std::vector<std::string> names = group_names(world, wall);
+    const std::vector<double> areas = group_areas(world, wall);
+    for (std::size_t group = 0; group < names.size(); ++group) {
+      if (names[group].empty()) continue;
+      walls.back().groups.push_back(summarize(names[group], tally.wall(wall, group), areas[group]));
+    }
   }
   return walls;
+}
+
+nlohmann::ordered_json to_json(const WallSummary& wall) {
+  const Vec3& impulse = wall.tally.impulse;
+  nlohmann::ordered_json json{{"name", wall.name},
+                              {"contacts", wall.tally.contacts},
+                              {"impulse", {impulse.x, impulse.y, impulse.z}},
+                              {"force", number_or_null(wall.force)},
+                              {"pressure", number_or_null(wall.pressure)},
+                              {"work", wall.tally.work},
+                              {"heat", wall.tally.heat}};
+  if (wall.torque) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      json["torque"].push_back(number_or_null((*wall.torque)[axis]));
+  }
+  for (const WallSummary& group : wall.groups) json["groups"].push_back(to_json(group));
+  return json;
 }
 
 }  // namespace
@@ -71,7 +100,7 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
   const bool has_walls = box.is_any(Boundary::wall) && !box.is_any(Boundary::open);
   state.wall_pressure = has_walls ? tally.wall_pressure(box, state.now) : kNoNumber;
   state.cell_edge = if_meant(simulation.cell_edge() > 0, simulation.cell_edge());
-  state.walls = summarize_walls(world, tally, state.now);
+  state.walls = summarize_walls(scenario, world, tally, state.now);
   for (const DrivenMotion& motion : simulation.motions()) {
     state.motions.push_back({motion.name(), std::string(motion.motion().name()), motion.spheres().size(),
                              motion.surfaces().size(), simulation.work_of(motion)});
@@ -115,16 +144,7 @@ std::string Summary::json() const {
   json["compressibility"] = number_or_null(state.compressibility);
   json["wall_pressure"] = number_or_null(state.wall_pressure);
   if (!state.walls.empty()) json["walls"] = nlohmann::ordered_json::array();
-  for (const WallSummary& wall : state.walls) {
-    const Vec3& impulse = wall.tally.impulse;
-    json["walls"].push_back({{"name", wall.name},
-                             {"contacts", wall.tally.contacts},
-                             {"impulse", {impulse.x, impulse.y, impulse.z}},
-                             {"force", number_or_null(wall.force)},
-                             {"pressure", number_or_null(wall.pressure)},
-                             {"work", wall.tally.work},
-                             {"heat", wall.tally.heat}});
-  }
+  for (const WallSummary& wall : state.walls) json["walls"].push_back(to_json(wall));
   for (const MotionSummary& motion : state.motions) {
     json["motions"].push_back({{"name", motion.name},
                                {"kind", motion.kind},
@@ -208,9 +228,13 @@ std::string Summary::table() const {
   add_if_meant(state.box.is_flat() ? "area fraction" : "packing fraction", state.packing_fraction);
   add_if_meant("PV/NkT", state.compressibility);
   add_if_meant("pressure on walls", state.wall_pressure);
+  const auto add_wall = [&](const std::string& name, const WallSummary& wall) {
+    add(name, fmt::format("{} contacts, force {:.6g}, work {:.6g}, heat {:.6g}", wall.tally.contacts,
+                          wall.force, wall.tally.work, wall.tally.heat));
+  };
   for (const WallSummary& wall : state.walls) {
-    add(wall.name, fmt::format("{} contacts, force {:.6g}, work {:.6g}, heat {:.6g}", wall.tally.contacts,
-                               wall.force, wall.tally.work, wall.tally.heat));
+    add_wall(wall.name, wall);
+    for (const WallSummary& group : wall.groups) add_wall("  " + group.name, group);
   }
   for (const MotionSummary& motion : state.motions)
     add("motion " + motion.name, fmt::format("{}, work {:.6g}", motion.kind, motion.work));

@@ -20,14 +20,18 @@ struct Seconds {
   static void persist(auto& archive, auto& self) { archive(self.setup, self.run); }
 };
 
-/// What spheres did at one wall, and it to them, over a run; NaN where it does not apply.
+/// What spheres did at one wall or group of its triangles, and it to them, over a run; NaN where it does not
+/// apply.
 struct WallSummary {
-  std::string name;   ///< As wall_name says.
-  std::string shape;  ///< "face", "plane", "cylinder", "sphere" or "obstacle".
+  std::string name;   ///< As wall_name says, or group_names.
+  std::string shape;  ///< "face", "plane", "cylinder", "sphere", "obstacle" or "mesh".
   WallTally tally;
   double area = 0;      ///< [L^2]
   double force = 0;     ///< Mean along the normal [M L T^-2].
   double pressure = 0;  ///< [M L^-1 T^-2]
+  /// Mean about the point that the scenario gives [M L^2 T^-2]; none of a face.
+  std::optional<Vec3> torque = {};
+  std::vector<WallSummary> groups = {};  ///< The groups of a mesh that has several.
 };
 
 /// What a prescribed motion has done.

@@ -128,6 +128,15 @@ void describe_growth(const Growth& growth, Contact& contact) {
   contact.second_radius *= scale;
 }
 
+// From the point of a surface to where a sphere touches it, in the coordinates of this image of the surface.
+Vec3 arm_of(const Surface& surface, const Vec3& image, const Contact& contact) {
+  Vec3 arm = (contact.position - image) + contact.separation - surface.point();
+  if (surface.velocity() != Vec3{}) arm -= duration(surface.since(), contact.time) * surface.velocity();
+  // The point of a plane that oscillates stays in it.
+  if (const Vec3* const normal = surface.normal()) arm -= dot(arm, *normal) * *normal;
+  return arm;
+}
+
 // Sets what a contact says of its wall, and the wall's velocity. Preconditions: time and position are set;
 // the sphere of this base radius was on `path`, and its position has been folded back by so many boxes.
 void describe_wall(const World& world, std::uint32_t wall, const Path& path, double radius,
@@ -140,6 +149,7 @@ void describe_wall(const World& world, std::uint32_t wall, const Path& path, dou
     contact.separation[axis] = (is_upper(wall) ? world.box().size()[axis] : 0) - contact.position[axis];
     const FaceProperties& face = world.box().face(wall);
     contact.wall_material = face.material;
+    contact.wall_arm = {};
     velocity = face.velocity;
   } else {
     const Surface& surface = world.surface(wall);
@@ -149,13 +159,18 @@ void describe_wall(const World& world, std::uint32_t wall, const Path& path, dou
       const double distance = length(touch.towards);
       contact.image = touch.image - folded;
       contact.feature = touch.feature;
+      contact.triangle = surface.mesh()->mesh().triangle_of(touch.feature);
+      contact.group = surface.mesh()->mesh().group(contact.triangle);
       contact.wall_normal = (1 / distance) * touch.towards;
       contact.separation = touch.towards - surface.mesh()->thickness() * contact.wall_normal;
+      contact.wall_arm = arm_of(surface, world.box().shift(contact.image), contact);
       contact.wall_material = surface.material_of(touch.feature);
     } else {
-      const Vec3 position = contact.position - nearest_image_of(world.box(), surface, contact.position);
+      const Vec3 image = nearest_image_of(world.box(), surface, contact.position);
+      const Vec3 position = contact.position - image;
       contact.wall_normal = surface.direction(position, contact.time);
       contact.separation = surface.distance(position, contact.time) * contact.wall_normal;
+      contact.wall_arm = arm_of(surface, image, contact);
       contact.wall_material = surface.material();
     }
   }
@@ -207,6 +222,8 @@ void contact_at(const World& world, const Event& event, const Participants& part
   } else {
     contact.image = {};
     contact.feature = 0;
+    contact.triangle = 0;
+    contact.group = 0;
     contact.image_speed = 0;
     contact.second_position = {};
     contact.second_radius = 0;

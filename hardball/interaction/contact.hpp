@@ -57,7 +57,9 @@ struct Contact {
   Image image;
   /// Wall: the face, edge or vertex of a mesh that was met, see Mesh; zero of other walls.
   std::uint32_t feature = 0;
-  Vec3 position;  ///< Center of the first sphere, folded into the box [L].
+  std::uint32_t triangle = 0;  ///< Wall: the triangle of a mesh to which the feature belongs; else zero.
+  std::uint32_t group = 0;     ///< Wall: the index of the group of this triangle; else zero.
+  Vec3 position;               ///< Center of the first sphere, folded into the box [L].
   /// Collision: center of the second sphere, folded into the box [L]. Wall: zero.
   Vec3 second_position;
   /// Collision: from the center of the first sphere to that of the second. Wall: from the center to the wall,
@@ -89,7 +91,10 @@ struct Contact {
   SpeciesId first_species = 0;
   SpeciesId second_species = 0;  ///< Zero for a wall.
   ContactOutcome outcome = ContactOutcome::bounce;
-  Vec3 wall_normal;               ///< Wall: the unit vector from the center toward it [1].
+  Vec3 wall_normal;  ///< Wall: the unit vector from the center toward it [1].
+  /// Wall: from the point of a surface, which moves with it, to where the sphere touches it; of a face of the
+  /// box zero. [L]
+  Vec3 wall_arm;
   double pressing = 0;            ///< Wall: the acceleration of the sphere toward it [L/T^2].
   double growth = 0;              ///< The rate at which `reach` grows [L/T].
   SurfaceMaterial wall_material;  ///< Wall: what it does.

@@ -17,8 +17,6 @@
 namespace hardball {
 namespace {
 
-constexpr const char* kCount = "it is a count of this run";
-
 // Along any direction in the space of all velocities, scaled by the square roots of the masses, the motion of
 // an isolated system has one component, u, distributed as (1 - u^2 / 2E)^((f - 3) / 2): uniform on a sphere
 // in f dimensions. Pairs meet in proportion to it. For large f this is Rayleigh's distribution, u exp(-u^2 /
@@ -126,8 +124,8 @@ void CollisionRate::add_results(const Scene& scene, Measurement& found) const {
     add(std::move(name), "T^-1", estimate, theory);
     return estimate;
   };
-  found.add("collisions", "1", Estimate{whole.total(kCollisions)}).reason = kCount;
-  if (has_walls_) found.add("wall_contacts", "1", Estimate{whole.total(kWalls)}).reason = kCount;
+  found.add("collisions", "1", Estimate{whole.total(kCollisions)}).reason = kCounted;
+  if (has_walls_) found.add("wall_contacts", "1", Estimate{whole.total(kWalls)}).reason = kCounted;
   const Estimate per_time = add_rate("collision_rate", kCollisions, 2 / spheres_, expected);
   // Without a collision there is no mean free time; from a few it is poorly known, as a reciprocal is not
   // symmetric.

@@ -88,7 +88,8 @@ SamplingSchedule scattered(const Time& begin, double cost, const Pace& pace) {
 }
 
 template <class Measure>
-void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double>& every, const Pace& pace) {
+void begin(Entry<Measure>& entry, const Scene& scene, const MeasureSettings& settings, const Pace& pace) {
+  const std::optional<double>& every = settings.every;
   const Time& now = scene.now();
   if constexpr (requires { Measure::kCostPerSphereFollowed; }) {
     // This many samples in a mean free time resolve the decay of velocities; windows of this length have lags
@@ -107,6 +108,8 @@ void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double
     const double interval = every ? *every : irrational_from(pace.free_time);
     entry.schedule = SamplingSchedule::regular(now, interval);
     entry.measure.emplace(scene, interval);
+  } else if constexpr (std::is_constructible_v<Measure, const Scene&, const MeasureSettings&>) {
+    entry.measure.emplace(scene, settings);
   } else {
     entry.measure.emplace(scene);
     if constexpr (requires { entry.measure->sample(scene); }) {
@@ -150,6 +153,9 @@ Measures::Measures(const MeasureSettings& settings)
     : settings_(settings), entries_(ValuePointer<Entries>::make()) {
   if (settings.every) check_positive(*settings.every, "every", "measures");
   check_finite(settings.from, "from", "measures");
+  for (const auto& [surface, offset] : settings.torque_about) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) check_finite(offset[axis], "torque_about", "measures");
+  }
   for (const std::string& name : settings.names) {
     bool is_known = name == "all";
     entries_->for_each([&](auto& entry) {
@@ -178,6 +184,12 @@ Measures& Measures::operator=(Measures&& other) noexcept = default;
 Measures::~Measures() = default;
 
 void Measures::check_spheres(const World& world) const {
+  for (const auto& [surface, offset] : settings_.torque_about) {
+    if (surface < world.surfaces().size()) continue;
+    throw Error("torque is to be measured on surface " + to_text(surface) + ", and there are " +
+                    to_text(world.surfaces().size()),
+                "measures", "name a surface by its index, from 0 on");
+  }
   bool matches = !has_begun_ || (world.size() == spheres_ && last_id_of(world) == last_id_);
   if (entries_->settling) matches = matches && entries_->settling->matches(world);
   entries_->for_each([&](const auto& entry) {
@@ -233,7 +245,7 @@ void Measures::sample(const World& world, const Time& now, const ForEach& for_ea
       };
       if (kNeedsSteps && !world.has_steps()) return;
       if (kNeedsImagesAtRest && world.box().is_sheared()) return;
-      if (entry.is_wanted) begin(entry, scene, settings_.every, pace);
+      if (entry.is_wanted) begin(entry, scene, settings_, pace);
     });
     entries_->settling.emplace(scene, settings_.is_start_placed);
     if (settings_.is_energy_random) entries_->random_start.emplace(scene);
@@ -280,6 +292,17 @@ std::vector<Measurement> Measures::results(const World& world, const Time& now) 
     qualify(results.back(), settled);
   });
   return results;
+}
+
+std::vector<FaceForces> Measures::face_forces(const World& world, const Time& now) const {
+  const Scene scene(world, now, is_driven_);
+  std::vector<FaceForces> forces;
+  entries_->for_each([&](const auto& entry) {
+    if constexpr (requires { entry.measure->face_forces(scene); }) {
+      if (entry.measure) forces = entry.measure->face_forces(scene);
+    }
+  });
+  return forces;
 }
 
 std::string Measures::save() const {

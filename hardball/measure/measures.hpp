@@ -9,11 +9,13 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "hardball/describe/field.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
+#include "hardball/measure/face_forces.hpp"
 #include "hardball/memory/for_each.hpp"
 #include "hardball/memory/value_pointer.hpp"
 #include "hardball/statistics/measurement.hpp"
@@ -37,6 +39,11 @@ struct MeasureSettings {
   std::optional<double> every = {};
   /// When measuring starts [T].
   double from = 0;
+  /// Whether the forces on each triangle of a mesh are measured, with "wall_forces".
+  bool face_forces = false;
+  /// By the index of a surface: about which point torque on it is measured, as a vector from the point of the
+  /// surface [L]; of others, about their points.
+  std::vector<std::pair<std::uint32_t, Vec3>> torque_about = {};
   /// Whether spheres are placed for the start, on a lattice or at random, rather than taken from an
   /// equilibrium. Of a fluid, means then begin when the spheres have left their places.
   bool is_start_placed = false;
@@ -49,11 +56,19 @@ struct MeasureSettings {
     return std::tuple{option("every", &MeasureSettings::every, NumberRange::positive, "T",
                              "the time between samples; if not given, each measure has its own", "0.5"),
                       option("from", &MeasureSettings::from, NumberRange::not_negative, "T",
-                             "when measuring starts", "2.0", "0.0")};
+                             "when measuring starts", "2.0", "0.0"),
+                      option("face_forces", &MeasureSettings::face_forces,
+                             "whether to write the forces on each triangle of the walls that are meshes, as "
+                             "`measures/mesh_0_face_forces.vtp`, if `wall_forces` are measured",
+                             "true", "false")};
   }
   static void persist(auto& archive, auto& self) {
     archive(self.names, self.every, self.from, self.is_start_placed, self.is_energy_random);
+    if (archive.version() >= kSinceVersion) archive(self.face_forces, self.torque_about);
   }
+
+ private:
+  static constexpr std::uint32_t kSinceVersion = 15;  // of archives that have face_forces and torque_about
 };
 
 /// The measures that are switched on for a run.
@@ -79,7 +94,8 @@ class HARDBALL_EXPORT Measures {
   /// Whether they have started to measure.
   bool has_begun() const { return has_begun_; }
 
-  /// Error: the spheres of `world` are not those with which the measures started. Cost: O(spheres followed).
+  /// Error: the spheres of `world` are not those with which the measures started; torque is to be measured on
+  /// a surface that there is not. Cost: O(spheres followed).
   void check_spheres(const World& world) const;
 
   void record(const Contact& contact);
@@ -98,6 +114,9 @@ class HARDBALL_EXPORT Measures {
   /// The result of each measure that is switched on, up to `now`, in the order of measure_names(); none
   /// before the start. Precondition: as for sample().
   std::vector<Measurement> results(const World& world, const Time& now) const;
+  /// The forces on the triangles of each mesh, up to `now`; none unless MeasureSettings::face_forces is set
+  /// and "wall_forces" has started. Precondition: as for sample().
+  std::vector<FaceForces> face_forces(const World& world, const Time& now) const;
 
   /// The whole state as bytes, from which `load` makes measures that continue to the same results.
   std::string save() const;

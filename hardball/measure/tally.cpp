@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 #include "hardball/geometry/vec3.hpp"
+#include "hardball/measure/angular_impulse.hpp"
 #include "hardball/measure/energy_gain.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
@@ -34,7 +38,9 @@ void Tally::begin(const World& world, const Time& now) {
 
 void Tally::begin(const World& world, const Totals& totals, const Time& now) {
   *this = Tally();
-  walls_.resize(kFaces + world.surfaces().size());
+  for (const Surface& surface : world.surfaces())
+    first_groups_.push_back(first_groups_.back() + group_count_of(surface));
+  walls_.resize(first_groups_.back());
   begin_ = now;
   last_ = now;
   begin_energy_ = totals.kinetic_energy.value();
@@ -92,11 +98,15 @@ void Tally::note_wall_contact(const Contact& contact) {
   const double gain = energy_gain(contact.first_mass, contact.before.first, contact.after.first);
   note_gain(gain, contact.time);
   max_overlap_ = std::max(max_overlap_, contact.overlap());
-  WallSums& wall = walls_[contact.second];
+  WallSums& wall = walls_[first_groups_[contact.second] + contact.group];
   const Vec3 impulse = contact.impulse();
   const double work = dot(impulse, contact.before.second);
   ++wall.contacts;
   for (std::size_t axis = 0; axis < kAxes; ++axis) wall.impulse[axis] += -impulse[axis];
+  if (contact.second >= kFaces) {
+    const Vec3 angular_impulse = angular_impulse_on_wall(contact);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) wall.angular_impulse[axis] += angular_impulse[axis];
+  }
   const double normal_impulse = -dot(impulse, contact.wall_normal);
   wall.normal_impulse += normal_impulse;
   const double of_growth = normal_impulse * contact.growth;
@@ -121,6 +131,7 @@ void Tally::note_outcome(const Contact& contact) {
 void Tally::WallSums::add(const WallSums& other) {
   contacts += other.contacts;
   for (std::size_t axis = 0; axis < kAxes; ++axis) impulse[axis].add(other.impulse[axis]);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) angular_impulse[axis].add(other.angular_impulse[axis]);
   normal_impulse.add(other.normal_impulse);
   work.add(other.work);
   heat.add(other.heat);
@@ -129,6 +140,7 @@ void Tally::WallSums::add(const WallSums& other) {
 Tally Tally::part() const {
   Tally part;
   part.walls_.resize(walls_.size());
+  part.first_groups_ = first_groups_;
   part.begin_ = begin_;
   part.last_ = begin_;
   part.keeps_energy_ = keeps_energy_;
@@ -151,7 +163,7 @@ void Tally::add(const Tally& other) {
   growth_work_.add(other.growth_work_);
   impact_speed_sum_.add(other.impact_speed_sum_);
   impact_speed_square_sum_.add(other.impact_speed_square_sum_);
-  for (std::size_t wall = 0; wall < walls_.size(); ++wall) walls_[wall].add(other.walls_[wall]);
+  for (std::size_t group = 0; group < walls_.size(); ++group) walls_[group].add(other.walls_[group]);
   for (const auto& [sphere, work] : other.kinematic_work_) kinematic_work_[sphere].add(work);
 }
 
@@ -168,15 +180,55 @@ double Tally::kinematic_work(std::span<const SphereId> spheres) const {
   return work.value();
 }
 
-WallTally Tally::wall(std::size_t number) const {
-  const WallSums& sums = walls_[number];
+WallTally Tally::WallSums::tally() const {
   WallTally tally;
-  tally.contacts = sums.contacts;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) tally.impulse[axis] = sums.impulse[axis].value();
-  tally.normal_impulse = sums.normal_impulse.value();
-  tally.work = sums.work.value();
-  tally.heat = sums.heat.value();
+  tally.contacts = contacts;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    tally.impulse[axis] = impulse[axis].value();
+    tally.angular_impulse[axis] = angular_impulse[axis].value();
+  }
+  tally.normal_impulse = normal_impulse.value();
+  tally.work = work.value();
+  tally.heat = heat.value();
   return tally;
+}
+
+WallTally Tally::wall(std::size_t number) const {
+  WallSums sums = walls_[first_groups_[number]];
+  for (std::size_t group = 1; group < group_count(number); ++group)
+    sums.add(walls_[first_groups_[number] + group]);
+  return sums.tally();
+}
+
+WallTally Tally::wall(std::size_t number, std::size_t group) const {
+  return walls_[first_groups_[number] + group].tally();
+}
+
+std::vector<std::size_t> Tally::one_group_each(std::size_t walls) {
+  std::vector<std::size_t> begins(walls + 1);
+  std::iota(begins.begin(), begins.end(), std::size_t{0});
+  return begins;
+}
+
+bool Tally::restored() {
+  // Of an archive that is older than groups and angular impulses, which are not known of its contacts.
+  if (first_groups_ == one_group_each(kFaces)) {
+    first_groups_ = one_group_each(walls_.size());
+    for (std::size_t wall = kFaces; wall < walls_.size(); ++wall)
+      walls_[wall].angular_impulse.fill(ExactSum(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return first_groups_.size() > kFaces && first_groups_.front() == 0 &&
+         first_groups_.back() == walls_.size() && std::ranges::is_sorted(first_groups_, std::less_equal());
+}
+
+bool Tally::matches(const World& world) const {
+  const std::span<const Surface> surfaces = world.surfaces();
+  if (wall_count() != kFaces + surfaces.size()) return false;
+  for (std::size_t wall = 0; wall < wall_count(); ++wall) {
+    const std::size_t groups = wall < kFaces ? 1 : group_count_of(surfaces[wall - kFaces]);
+    if (group_count(wall) != groups) return false;
+  }
+  return true;
 }
 
 double Tally::energy_integral(const Time& now) const {

@@ -19,10 +19,13 @@
 
 namespace hardball {
 
-/// Sums over the contacts with a wall.
+/// Sums over the contacts with a wall, or with a group of the triangles of a mesh.
 struct WallTally {
   std::uint64_t contacts = 0;
-  Vec3 impulse;               ///< Momentum given to the wall [M L/T].
+  Vec3 impulse;  ///< Momentum given to the wall [M L/T].
+  /// Angular momentum given to it about the point of the surface, which moves with it; zero of a face, and
+  /// NaN if a release saved the sums that did not have it [M L^2/T].
+  Vec3 angular_impulse;
   double normal_impulse = 0;  ///< The part along its normal, counted positive [M L/T].
   double work = 0;            ///< Done by the wall on spheres through its motion [M L^2 T^-2].
   double heat = 0;            ///< Energy given to spheres otherwise; negative if lost [M L^2 T^-2].
@@ -81,7 +84,16 @@ class HARDBALL_EXPORT Tally {
   double wall_impulse(Face face) const { return walls_[face].normal_impulse.value(); }
   /// The sums for a wall: a face of the box, or a surface from kFaces on.
   WallTally wall(std::size_t number) const;
-  std::size_t wall_count() const { return walls_.size(); }
+  /// The sums for a group of a wall, which has one unless it is a mesh: those of all together are the sums
+  /// for the wall, to the bit, if they are added without rounding.
+  WallTally wall(std::size_t number, std::size_t group) const;
+  std::size_t wall_count() const { return first_groups_.size() - 1; }
+  /// How many groups a wall has.
+  std::size_t group_count(std::size_t number) const {
+    return first_groups_[number + 1] - first_groups_[number];
+  }
+  /// Whether it is of a world with these walls; false only if its state is damaged.
+  bool matches(const World& world) const;
   /// The work that a kinematic sphere has done on others through its motion [M L^2 T^-2].
   double kinematic_work(SphereId sphere) const;
   /// The work that several kinematic spheres have done on others [M L^2 T^-2].
@@ -107,23 +119,31 @@ class HARDBALL_EXPORT Tally {
             self.gains_, self.collisions_, self.mergers_, self.passes_, self.wall_contacts_,
             self.max_overlap_, self.virial_, self.impact_speed_sum_, self.impact_speed_square_sum_,
             self.keeps_energy_, self.walls_, self.growth_work_, self.steps_passed_, self.steps_refused_);
-    if (archive.version() >= kSinceVersion) archive(self.kinematic_work_);
+    if (archive.version() >= kSinceVersion) archive(self.kinematic_work_, self.first_groups_);
   }
+  bool restored();
 
-  static constexpr std::uint32_t kSinceVersion = 15;  // of archives that have kinematic_work_
+  // Of archives that have kinematic_work_, groups of walls and angular impulses.
+  static constexpr std::uint32_t kSinceVersion = 15;
 
   // The sums of WallTally.
   struct WallSums {
     std::uint64_t contacts = 0;
     std::array<ExactSum, kAxes> impulse;
+    std::array<ExactSum, kAxes> angular_impulse;
     ExactSum normal_impulse;
     ExactSum work;
     ExactSum heat;
     static void persist(auto& archive, auto& self) {
       archive(self.contacts, self.impulse, self.normal_impulse, self.work, self.heat);
+      if (archive.version() >= kSinceVersion) archive(self.angular_impulse);
     }
     void add(const WallSums& other);
+    WallTally tally() const;
   };
+
+  // Where groups begin if every wall has one.
+  static std::vector<std::size_t> one_group_each(std::size_t walls);
 
   // Two spheres have met that did not bounce.
   void note_outcome(const Contact& contact);
@@ -153,7 +173,9 @@ class HARDBALL_EXPORT Tally {
   ExactSum impact_speed_square_sum_;
   bool keeps_energy_ = true;  // between contacts: without gravity and shear
   bool is_elastic_ = false;   // of the world, see set_interactions
+  // Of each group of each wall, and where those of a wall begin, and the last of all end.
   std::vector<WallSums> walls_ = std::vector<WallSums>(kFaces);
+  std::vector<std::size_t> first_groups_ = one_group_each(kFaces);
   std::unordered_map<SphereId, ExactSum> kinematic_work_;  // of those that have done some
 };
 

@@ -529,6 +529,10 @@ TableDescription walls_keys() {
   for (const KeyDescription& key : surface_keys()) keys.push_back(key);
   keys.push_back(
       key("motion", text(), "instead of `velocity`: the name of the motion that drives it", "\"piston\""));
+  keys.push_back(key("torque_about", vector("L"),
+                     "the point about which torque on it is measured, which moves with the wall; if not "
+                     "given, `point`",
+                     "[5.0, 5.0, 0.0]"));
   return {.title = "[[walls]]", .keys = keys};
 }
 

@@ -11,7 +11,7 @@ namespace hardball {
 
 std::vector<Surface> make_surfaces(const Scenario& scenario, const Box& box) {
   std::vector<Surface> surfaces;
-  for (const auto& [described, where, motion] : scenario.surfaces) {
+  for (const auto& [described, where, motion, torque_offset] : scenario.surfaces) {
     SurfaceMaterial material = described.material();
     material.seed = scenario.run.seed;
     Shape shape = described.shape();

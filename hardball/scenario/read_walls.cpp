@@ -116,6 +116,7 @@ SurfaceDescription read_wall(const Section& section, const std::filesystem::path
   if (std::holds_alternative<Plane>(shape)) shape = read_oscillation(section, shape);
   SurfaceDescription wall = described(shape, point, velocity, material, section.location());
   wall.motion = read_motion_of_wall(section, scenario);
+  if (const auto about = section.find("torque_about")) wall.torque_offset = about->vector(dimensions) - point;
   return wall;
 }
 

@@ -238,6 +238,10 @@ Scenario read_scenario(const Document& document) {
   if (const auto run = root.section("run")) run->read_fields(scenario.run);
   if (const auto output = root.section("output")) read_output(*output, scenario.output);
   if (const auto measures = root.section("measures")) read_measures(*measures, scenario.measures);
+  for (std::uint32_t k = 0; k < scenario.surfaces.size(); ++k) {
+    const Vec3& offset = scenario.surfaces[k].torque_offset;
+    if (offset != Vec3{}) scenario.measures.torque_about.emplace_back(k, offset);
+  }
   const auto is_listed = [](const SphereGroup& group) { return group.placement == Placement::listed; };
   scenario.measures.is_start_placed = scenario.measures.from == 0 && !scenario.start_file &&
                                       !std::ranges::all_of(scenario.spheres, is_listed);

@@ -94,6 +94,8 @@ struct SurfaceDescription {
   Surface surface;
   std::string where;                       ///< Location in the scenario, for messages.
   std::optional<std::size_t> motion = {};  ///< What drives it: an index into Scenario::motions.
+  /// From the point of the surface to that about which torque on it is measured [L].
+  Vec3 torque_offset = {};
 
   bool is_obstacle() const { return std::holds_alternative<Obstacle>(surface.shape()); }
 };

@@ -80,8 +80,7 @@ void Simulation::begin_loaded(const EngineOptions& options, EngineKind kind, Cou
                               const World& world, const std::string& where, Processes& processes) {
   check_moment(now_, where);
   sums_.tally.set_interactions(world.interactions());
-  if (now_ < latest_change(world) || sums_.tally.wall_count() != kFaces + world.surfaces().size())
-    refuse_archive(where);
+  if (now_ < latest_change(world) || !sums_.tally.matches(world)) refuse_archive(where);
   if (!actors_.motions.schedule.fits(world, now_)) refuse_archive(where);
   ++counters.rebuilds;
   manager_ = ValuePointer<EngineManager>::make(options, processes, kind, counters);

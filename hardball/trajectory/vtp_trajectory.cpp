@@ -8,7 +8,6 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include "hardball/io/xml_text.hpp"
 #include "hardball/platform/little_endian.hpp"
 #include "hardball/trajectory/sphere_types.hpp"
+#include "hardball/trajectory/vtp_arrays.hpp"
 
 namespace hardball {
 namespace {
@@ -51,37 +51,17 @@ void remove_frames(const std::filesystem::path& folder, const std::string& first
   for (const std::filesystem::path& frame : frames) std::filesystem::remove(frame, ignored);
 }
 
-// The arrays of the file: their descriptions, and their values as they follow the XML.
-struct Arrays {
-  explicit Arrays(std::size_t spheres) : count(spheres) {}
-
-  // The XML of an array with these values of all spheres: numbers of eight bytes, or vectors of them.
-  template <class Value>
-  std::string add(const char* name, const Value& value) {
-    using Row = std::remove_cvref_t<decltype(value(0))>;
-    constexpr bool kIsReal = std::is_same_v<Row, double> || std::is_same_v<Row, Vec3>;
-    const std::string xml = std::string("<DataArray type=\"") + (kIsReal ? "Float64" : "Int64") +
-                            "\" Name=\"" + name + "\" NumberOfComponents=\"" + to_text(sizeof(Row) / 8) +
-                            "\" format=\"appended\" offset=\"" + to_text(values.size()) + "\"/>\n";
-    append_little_endian(values, static_cast<std::uint64_t>(count * sizeof(Row)));
-    for (std::size_t i = 0; i < count; ++i) append_little_endian(values, value(i));
-    return xml;
-  }
-
-  std::size_t count;
-  std::string values;
-};
-
 std::string vtp_text(const Snapshot& snapshot) {
   const std::vector<Sphere>& spheres = snapshot.spheres;
-  Arrays arrays(spheres.size());
+  VtpArrays arrays;
+  const auto add = [&](const char* name, const auto& value) {
+    return arrays.add(name, spheres.size(), value);
+  };
   const auto of_spheres = [&](const char* name, auto member) {
-    return arrays.add(name, [&](std::size_t i) { return spheres[i].*member; });
+    return add(name, [&](std::size_t i) { return spheres[i].*member; });
   };
   const std::string count = to_text(spheres.size());
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n<PolyData>\n";
+  std::string text;
   if (snapshot.time) {
     text +=
         "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">" +
@@ -93,13 +73,13 @@ std::string vtp_text(const Snapshot& snapshot) {
   text += of_spheres("radius", &Sphere::radius);
   text += of_spheres("velocity", &Sphere::velocity);
   text += of_spheres("mass", &Sphere::mass);
-  text += arrays.add("id", [&](std::size_t i) { return snapshot.id(i); });
+  text += add("id", [&](std::size_t i) { return snapshot.id(i); });
   const SphereTypes types(spheres);
-  text += arrays.add("type",
-                     [&](std::size_t i) { return static_cast<std::int64_t>(types.type_of(spheres[i])) + 1; });
+  text +=
+      add("type", [&](std::size_t i) { return static_cast<std::int64_t>(types.type_of(spheres[i])) + 1; });
   if (types.are_finer_than_species())
-    text += arrays.add("species_id", [&](std::size_t i) { return std::int64_t{spheres[i].species} + 1; });
-  text += arrays.add("image", [&](std::size_t i) {
+    text += add("species_id", [&](std::size_t i) { return std::int64_t{spheres[i].species} + 1; });
+  text += add("image", [&](std::size_t i) {
     const Image image = snapshot.image(i);
     return VectorOf<std::int64_t>{image[0], image[1], image[2]};
   });
@@ -110,10 +90,9 @@ std::string vtp_text(const Snapshot& snapshot) {
   text += "</PointData>\n<Points>\n";
   text += of_spheres("points", &Sphere::position);
   text += "</Points>\n<Verts>\n";
-  text += arrays.add("connectivity", [](std::size_t i) { return static_cast<std::int64_t>(i); });
-  text += arrays.add("offsets", [](std::size_t i) { return static_cast<std::int64_t>(i + 1); });
-  text += "</Verts>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-  return text + arrays.values + "\n</AppendedData>\n</VTKFile>\n";
+  text += add("connectivity", [](std::size_t i) { return static_cast<std::int64_t>(i); });
+  text += add("offsets", [](std::size_t i) { return static_cast<std::int64_t>(i + 1); });
+  return vtp_file(text + "</Verts>\n</Piece>\n", arrays);
 }
 
 }  // namespace

@@ -235,6 +235,10 @@ Event next_solid_event(const World& world, Slot slot, const Time& now, double un
   return next_solid_event(world, world.id(slot), world.path(slot), world.base_radius(slot), now, until);
 }
 
+std::size_t group_count_of(const Surface& surface) {
+  return surface.mesh() ? surface.mesh()->mesh().group_count() : 1;
+}
+
 bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now) {
   if (!(time < kNever.high)) return true;
   const Path& path = world.path(slot);

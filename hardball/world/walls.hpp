@@ -40,6 +40,9 @@ HARDBALL_EXPORT Event next_solid_event(const World& world, Slot slot, const Time
 HARDBALL_EXPORT Event next_solid_event(const Setting& setting, SphereId id, const Path& path, double radius,
                                        const Time& now, double until);
 
+/// How many groups the triangles of a surface have: one unless it is a mesh of several.
+HARDBALL_EXPORT std::size_t group_count_of(const Surface& surface);
+
 /// Where a sphere touches a mesh.
 struct MeshTouch {
   Image image;                ///< The image of the mesh, in the coordinates of the path.

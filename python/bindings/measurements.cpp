@@ -149,6 +149,24 @@ void bind_measurements(py::module_& module) {
       .def_readonly("is_transient_over", &Measurement::is_transient_over, doc::Measurement_is_transient_over)
       .def_readonly("unsettled", &Measurement::unsettled, doc::Measurement_unsettled)
       .def("__repr__", [](const Measurement& self) { return text_of(self); });
+  py::class_<FaceForces>(module, "FaceForces", doc::FaceForces)
+      .def_readonly("wall", &FaceForces::wall, doc::FaceForces_wall)
+      .def_property_readonly(
+          "point", [](const FaceForces& self) { return array_of(self.point); }, doc::FaceForces_point)
+      .def_property_readonly(
+          "forces", [](const FaceForces& self) { return read_only(array_around(self.forces)); },
+          "On each triangle: the mean force [M L T^-2]. Shape (n, 3).")
+      .def_property_readonly(
+          "pressures", [](const FaceForces& self) { return read_only(array_around(self.pressures)); },
+          doc::FaceForces_pressures)
+      .def_property_readonly(
+          "contacts", [](const FaceForces& self) { return read_only(array_around(self.contacts)); },
+          doc::FaceForces_contacts)
+      .def(
+          "to_vtp", [](const FaceForces& self) { return py::bytes(vtp_text(self)); }, doc::vtp_text)
+      .def("__repr__", [](const FaceForces& self) {
+        return "<hardball.FaceForces of " + to_text(self.forces.size()) + " triangles of " + self.wall + ">";
+      });
   module.def(
       "measure_names",
       [] {

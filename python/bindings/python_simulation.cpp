@@ -591,6 +591,11 @@ std::string PythonSimulation::save_measures() const {
   return archived(measures_);
 }
 
+std::vector<FaceForces> PythonSimulation::face_forces() const {
+  const Simulation& simulation = this->simulation();
+  return measures_.face_forces(simulation.world(), simulation.now());
+}
+
 std::vector<Measurement> PythonSimulation::results() const {
   const Simulation& simulation = this->simulation();
   Measures measures = measures_;

@@ -110,6 +110,7 @@ class PythonSimulation {
   void restore_measures(std::string_view bytes, const std::string& where);
   std::string save_measures() const;
   std::vector<Measurement> results() const;
+  std::vector<FaceForces> face_forces() const;
 
   /// The scenario that this is made from; null if there is none.
   const std::shared_ptr<const Origin>& origin() const { return origin_; }

@@ -165,6 +165,8 @@ void bind_contact(py::module_& module) {
       .def_readonly("first", &Contact::first, doc::Contact_first)
       .def_readonly("second", &Contact::second, doc::Contact_second)
       .def_readonly("feature", &Contact::feature, doc::Contact_feature)
+      .def_readonly("triangle", &Contact::triangle, doc::Contact_triangle)
+      .def_readonly("group", &Contact::group, doc::Contact_group)
       .def_property_readonly("position", vector(&Contact::position), doc::Contact_position)
       .def_property_readonly("second_position", vector(&Contact::second_position),
                              doc::Contact_second_position)

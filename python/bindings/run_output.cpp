@@ -85,6 +85,7 @@ RunEnd end_of(const Origin& origin, const Simulation& simulation, const Measures
   Measures sampled = measures;
   sampled.sample_the_rest(simulation.world(), simulation.now());
   end.measurements = sampled.results(simulation.world(), simulation.now());
+  end.face_forces = sampled.face_forces(simulation.world(), simulation.now());
   report::Report report =
       cli::run_report(origin.choice, scenario, simulation, summary, end.measurements, is_complete);
   if (!is_described(origin)) {
@@ -199,7 +200,7 @@ void RunOutput::finish(const Simulation& simulation, const Measures& measures, b
   write_checkpoint(simulation, measures);
   const RunEnd end = end_of(origin_, simulation, measures, seconds, is_complete);
   in_first(simulation.processes(), [&] {
-    files_->finish(simulation.time(), end.measurements, end.summary,
+    files_->finish(simulation.time(), end.measurements, end.face_forces, end.summary,
                    origin_.scenario.output.report ? end.report : "");
   });
 }

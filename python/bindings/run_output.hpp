@@ -36,6 +36,7 @@ Origin with_overrides(const Origin& origin, const std::vector<std::string>& over
 struct RunEnd {
   std::string summary = {};  ///< As in summary.json.
   std::vector<Measurement> measurements = {};
+  std::vector<FaceForces> face_forces = {};
   std::string report = {};  ///< A page of HTML.
 };
 

@@ -202,9 +202,16 @@ void bind_simulation(py::module_& module) {
       .def("_run", &PythonSimulation::run, py::arg("until"), py::arg("collisions"), py::arg("contacts"),
            py::arg("record"), py::arg("on_progress"))
       .def("_step", &PythonSimulation::step, py::arg("until"))
-      .def("_measure",
-           [](PythonSimulation& self, std::vector<std::string> names, std::optional<double> every,
-              double from) { self.set_measures({.names = std::move(names), .every = every, .from = from}); });
+      .def("_measure", [](PythonSimulation& self, std::vector<std::string> names, std::optional<double> every,
+                          double from, bool face_forces,
+                          const std::vector<std::pair<std::uint32_t, py::object>>& torque_about) {
+        MeasureSettings settings{
+            .names = std::move(names), .every = every, .from = from, .face_forces = face_forces};
+        const bool is_flat = self.simulation().setting().box().is_flat();
+        for (const auto& [surface, offset] : torque_about)
+          settings.torque_about.emplace_back(surface, vector_of(offset, "torque_about", is_flat));
+        self.set_measures(settings);
+      });
   bind_state(simulation);
   bind_queries(simulation);
   bind_edits(simulation);

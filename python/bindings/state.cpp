@@ -255,6 +255,17 @@ void bind_state(SimulationClass& simulation) {
           },
           "The results so far, by the names of the measures. Cost: that of a copy of the "
           "measures.")
+      .def(
+          "face_forces", [](const PythonSimulation& self) -> Typed<"dict[str, FaceForces]"> {
+            py::dict all;
+            for (FaceForces& forces : self.face_forces()) {
+              const py::str name(forces.wall);
+              all[name] = std::move(forces);
+            }
+            return all;
+          },
+          "The forces on the triangles of meshes so far, by the names that the walls have in the results of "
+          "wall_forces; none unless `measure` was called with face_forces.")
       .def("index_of", &indices_of, py::arg("ids"),
            "The row in positions, velocities and all other arrays of the sphere with this id, or of several: "
            "velocities[index_of(7)] is that of sphere 7. Rows equal ids only until spheres are removed or "

@@ -9,6 +9,7 @@ import os
 from copy import deepcopy
 from math import inf
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Iterable, Iterator, Literal, Mapping, Sequence, TypeVar, overload
 
 import numpy as np
@@ -360,17 +361,28 @@ class Simulation(_hardball.Simulation):
         while (contact := self._step(end)) is not None:
             yield contact
 
-    def measure(self, names: str | Iterable[str] = "all", *, every: float | None = None, start: float = 0.0) -> None:
+    def measure(
+        self,
+        names: str | Iterable[str] = "all",
+        *,
+        every: float | None = None,
+        start: float = 0.0,
+        face_forces: bool = False,
+        torque_about: Mapping[int, ArrayLike] = MappingProxyType({}),
+    ) -> None:
         """Starts measures for all further runs: some of measure_names(), or "all".
 
         `every` is the time between samples [T], by default each measure's own choice; `start` is when measuring begins
-        [T]. Earlier results are discarded. While measures are on, spheres cannot be added or removed. Other
+        [T]. With `face_forces`, those on each triangle of meshes are measured with "wall_forces". `torque_about` says,
+        by the index of a surface, about which point torque on it is measured, as a vector from the surface's point [L].
+        Earlier results are discarded. While measures are on, spheres cannot be added or removed. Other
         edits are accounted for, with a warning, as results then average over the states before and after. No
         measure changes the history.
         """
         chosen = [names] if isinstance(names, str) else list_of(str, names, "names")
         interval = None if every is None else real_number(every, "every")
-        self._measure(chosen, interval, real_number(start, "start"))
+        points = [(whole_number(surface, "torque_about"), offset) for surface, offset in torque_about.items()]
+        self._measure(chosen, interval, real_number(start, "start"), truth(face_forces, "face_forces"), points)
 
     # --- files ---
 

@@ -84,6 +84,33 @@ class Meshes(unittest.TestCase):
         with self.assertRaisesRegex(hardball.Error, "no group 'belt'"):
             hardball.Surface.mesh(floor, groups={"belt": {}})
 
+    def test_feel_forces(self):
+        floor = hardball.Mesh([[-9, -9, 0], [9, -9, 0], [0, 9, 0]], [[0, 1, 2]])
+        simulation = hardball.Simulation(
+            hardball.Box.open(),
+            positions=[[1, 2, 2]],
+            velocities=[[0, 0, -1]],
+            radius=0.5,
+            surfaces=[hardball.Surface.mesh(floor)],
+        )
+        simulation.measure("wall_forces", face_forces=True, torque_about={0: [0, 1, 0]})
+        simulation.run(until=4)
+        forces = simulation.results()["wall_forces"]
+        self.assertEqual(forces["mesh_0_force_z"].value, -0.5)
+        self.assertEqual([forces[f"mesh_0_torque_{axis}"].value for axis in "xy"], [-0.5, 0.5])
+        self.assertNotIn("mesh_0_torque_z", forces)
+        faces = simulation.face_forces()["mesh_0"]
+        np.testing.assert_array_equal(faces.forces, [[0, 0, -0.5]])
+        np.testing.assert_array_equal(faces.contacts, [1])
+        np.testing.assert_allclose(faces.pressures, [0.5 / floor.area])
+        self.assertIn(b'Name="force"', faces.to_vtp())
+        with self.assertRaisesRegex(hardball.Error, "surface 1, and there are 1"):
+            simulation.measure("wall_forces", torque_about={1: [0, 0, 0]})
+            simulation.run(until=5)
+        simulation.measure("wall_forces")
+        simulation.run(until=5)
+        self.assertEqual(simulation.face_forces(), {})
+
 
 def wall_distances(vertices, triangles, points):
     return hardball.Mesh(vertices, triangles).distance(points)

@@ -64,6 +64,54 @@ TEST_F(MeasuredRun, FindsTheSameWithEveryEngineAndWithSnapshots) {
   EXPECT_EQ(found({"--set", "output.snapshots_every=0.3"}), expected);
 }
 
+// Files are what they are, however a run is interrupted and resumed, and for any number of threads.
+TEST_F(MeasuredRun, WritesTheForcesOnTrianglesOnRequest) {
+  write_text(folder_ / "box.toml", R"(
+[box]
+boundary = ["open", "open", "open"]
+[[walls]]
+shape = "box"
+size = [4.0, 3.0, 2.0]
+point = [1.0, 2.0, 3.0]
+velocity = [0.0, 0.0, 0.1]
+spheres = "inside"
+[[spheres]]
+count = 20
+radius = 0.2
+placement = "random"
+mean_speed = 1.0
+[measures]
+names = ["wall_forces"]
+face_forces = true
+)");
+  const auto run = [&](const std::string& until, const Arguments& more = {}) {
+    return json_of({"run", "box.toml", "--out", "out", "--overwrite", "--json", "--until", until}, more);
+  };
+  const auto files = [&] {
+    return read_text(folder_ / "out/measures/mesh_0_face_forces.vtp") +
+           read_text(folder_ / "out/measures/quantities.csv");
+  };
+  const nlohmann::json wall = run("20")["walls"][0];
+  const std::string expected = files();
+  EXPECT_NE(expected.find("Name=\"force\""), std::string::npos);
+  run("20", {"--threads", "2"});
+  EXPECT_EQ(files(), expected);
+  run("9");
+  json_of({"resume", "out", "--until", "20", "--json"});
+  EXPECT_EQ(files(), expected);
+  // About a point below by one, the torque differs by that times the force.
+  const nlohmann::json other = run("20", {"--set", "walls.0.torque_about=[1, 2, 2]"})["walls"][0];
+  const auto difference = [&](int axis) {
+    return other["torque"][axis].get<double>() - wall["torque"][axis].get<double>();
+  };
+  EXPECT_NEAR(difference(0), -wall["impulse"][1].get<double>() / 20, 1e-12);
+  EXPECT_NEAR(difference(1), wall["impulse"][0].get<double>() / 20, 1e-12);
+  EXPECT_NEAR(difference(2), 0, 1e-12);
+  run("1", {"--set", "measures.face_forces=false"});
+  EXPECT_FALSE(exists("measures/mesh_0_face_forces.vtp"));
+  EXPECT_TRUE(exists("measures/quantities.csv"));
+}
+
 TEST_F(MeasuredRun, MeasuresWhatIsRequestedAndRemovesFilesOfAnEarlierRun) {
   hash({"--out", "out"});
   hash({"--out", "out", "--set", "measures.names=[\"pressure\"]"});

@@ -70,6 +70,18 @@ INSTANTIATE_TEST_SUITE_P(Released, ReleasedRun,
                            return folder.substr(folder.find('/') + 1);
                          });
 
+// That release did not sum the torque.
+TEST(ReleasedRunInATube, DoesNotKnowItsTorque) {
+  const support::ScratchFolder folder;
+  std::filesystem::copy(kReleases / "0.2.0/cylinder", folder / "run",
+                        std::filesystem::copy_options::recursive);
+  const ProgramOutcome outcome = run_program(folder, {"resume", "run", "--until", "2", "--json", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
+  const json tube = json::parse(outcome.output)["walls"].back();
+  EXPECT_GT(tube["contacts"], 0);
+  for (const json& component : tube["torque"]) EXPECT_TRUE(component.is_null());
+}
+
 TEST(ReleasedPacking, IsResumed) {
   const support::ScratchFolder folder;
   // A checkpoint is removed when its packing is finished.

@@ -390,6 +390,48 @@ def check_kinematic(program, folder):
     print("kinematic: ASE, xyz: velocities, masses")
 
 
+def check_face_forces(program, folder):
+    """The forces on the triangles of a mesh add up to the force on it, and lie where it is at the end."""
+    (folder / "faces.toml").write_text('''
+[box]
+size = [6.0, 6.0, 6.0]
+boundary = ["open", "open", "open"]
+[[walls]]
+shape = "box"
+size = [4.0, 3.0, 2.0]
+point = [1.0, 2.0, 3.0]
+velocity = [0.0, 0.0, 0.1]
+spheres = "inside"
+[[spheres]]
+count = 20
+radius = 0.2
+placement = "random"
+mean_speed = 1.0
+[measures]
+names = ["wall_forces"]
+face_forces = true
+[run]
+until = 20
+''')
+    out = folder / "faces"
+    subprocess.run([program, "run", folder / "faces.toml", "--out", out, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+    reader = vtkmodules.vtkIOXML.vtkXMLPolyDataReader()
+    reader.SetFileName(str(out / "measures" / "mesh_0_face_forces.vtp"))
+    reader.Update()
+    data = reader.GetOutput()
+    assert data.GetNumberOfPoints() == 8 and data.GetNumberOfPolys() == data.GetNumberOfCells() == 12
+    force, pressure, contacts, group = (
+        vtk_to_numpy(data.GetCellData().GetArray(name)) for name in ["force", "pressure", "contacts", "group"])
+    near([data.GetBounds()], [[-1, 3, 0.5, 3.5, 4, 6]], "VTK bounds")
+    corners = vtk_to_numpy(data.GetPoints().GetData())[vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
+    wall = json.loads((out / "summary.json").read_text())["walls"][0]
+    near(force.sum(axis=0), numpy.array(wall["impulse"]) / 20, "VTK force")
+    near(force, pressure[:, None] * normals, "VTK pressure")
+    assert contacts.sum() == wall["contacts"] > 100 and not group.any()
+    print("faces: VTK: points, triangles, force, pressure, contacts, group")
+
+
 def main():
     program = pathlib.Path(sys.argv[1]).resolve()
     with tempfile.TemporaryDirectory() as folder:
@@ -398,6 +440,7 @@ def main():
             check(program, name, scenario, pathlib.Path(folder) / name)
         check_start(program, pathlib.Path(folder))
         check_kinematic(program, pathlib.Path(folder))
+        check_face_forces(program, pathlib.Path(folder))
 
 
 main()
