@@ -7,36 +7,20 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
-#include "hardball/geometry/double_double.hpp"
 #include "hardball/numbers/exact_sum.hpp"
+#include "hardball/packing/fine.hpp"
+#include "hardball/packing/mesh_walls.hpp"
 #include "hardball/world/static_hash_grid.hpp"
 
 namespace hardball {
 namespace {
 
-using Fine = DoubleDouble<double>;
-
-Fine square(const Fine& a) {
-  return a * a;
-}
-
-// sqrt(a), by a step of Newton's method from the root of its high part.
-Fine square_root(const Fine& a) {
-  const double rough = std::sqrt(a.high);
-  if (!(rough > 0)) return {0, 0};
-  const Fine rest = a - product(rough, rough);
-  return normalized(rough, (rest.high + rest.low) / (2 * rough));
-}
-
 // Of two centers along an axis, with the shift of an image.
 Fine apart(double first, double second, double shift) {
   return difference(second, first) + Fine{shift, 0};
-}
-
-Fine length_of(const std::array<Fine, kAxes>& vector) {
-  return square_root(sum_of_three(square(vector[0]), square(vector[1]), square(vector[2])));
 }
 
 // How far the center of a sphere is from a wall.
@@ -56,9 +40,7 @@ Fine distance_to_curved(const Container& container, const Vec3& center) {
   // Of a point at height z the mantle is (z R - H rho) / sqrt(R^2 + H^2) away.
   const Fine height{container.size.z, 0};
   const Fine across = Fine{center.z, 0} * radius - height * distance;
-  const Fine slant = square_root(square(radius) + square(height));
-  const Fine quotient = divide(across, slant.high);
-  return quotient - Fine{quotient.high * slant.low / slant.high, 0};
+  return quotient(across, square_root(square(radius) + square(height)));
 }
 
 }  // namespace
@@ -84,7 +66,9 @@ void PackedSpheres::for_each_near(double gap, const Function<void(const NearPair
   const double wider = 1 + gap;
   StaticHashGrid grid(box, size(), wider * radii[order.front()]);
   for (const std::uint32_t sphere : order) grid.insert(positions[sphere], wider * radii[sphere]);
-  const std::size_t curved = container.surfaces().size();
+  const std::vector<Surface> surfaces = container.surfaces();
+  std::optional<MeshWalls> mesh;
+  if (container.mesh) mesh.emplace(surfaces.front().mesh()->shared_mesh());
   std::vector<NearPair> found;
   for (std::uint32_t first = 0; first < size(); ++first) {
     found.clear();
@@ -124,11 +108,15 @@ void PackedSpheres::for_each_near(double gap, const Function<void(const NearPair
       separation[face / 2] = face % 2 == 0 ? -distance.high : distance.high;
       take({.bodies = {first, face, true}, .separation = separation, .reach = radius}, distance);
     }
-    if (curved > 0) {
+    if (mesh) {
+      mesh->for_each_near(positions[first], wider * radius, [&](const NearWall& wall) {
+        take({.bodies = {first, wall.number, true}, .separation = wall.separation, .reach = radius},
+             wall.distance);
+      });
+    } else if (!surfaces.empty()) {
       const Fine distance = distance_to_curved(container, positions[first]);
-      const Surface surface = container.surfaces().front();
       take({.bodies = {first, kFaces, true},
-            .separation = distance.high * surface.direction(positions[first], Time(0)),
+            .separation = distance.high * surfaces.front().direction(positions[first], Time(0)),
             .reach = radius},
            distance);
     }

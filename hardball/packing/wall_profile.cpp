@@ -103,7 +103,8 @@ double deepest(const Container& container) {
 WallProfile wall_profile(const PackedSpheres& spheres) {
   const Container& container = spheres.container;
   WallProfile profile;
-  if (container.shape == Container::Shape::box || spheres.size() == 0) return profile;
+  using enum Container::Shape;
+  if (container.shape == box || container.shape == mesh || spheres.size() == 0) return profile;
   const double end = deepest(container);
   const auto steps = static_cast<std::size_t>(std::ceil(end * kStepsPerDiameter / spheres.mean_diameter()));
   profile.width = end / static_cast<double>(steps);

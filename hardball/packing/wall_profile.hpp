@@ -20,8 +20,8 @@ struct WallProfile {
 };
 
 /// The profile from the mantle of a cylinder or a cone, or from the wall of a sphere or a circle; empty in a
-/// box. Surfaces at one distance are taken from end to end. Precondition: the spheres are within the
-/// container and do not overlap. Cost: O(n), some 10 us for each sphere.
+/// box or a mesh. Surfaces at one distance are taken from end to end. Precondition: the spheres are within
+/// the container and do not overlap. Cost: O(n), some 10 us for each sphere.
 HARDBALL_EXPORT WallProfile wall_profile(const PackedSpheres& spheres);
 
 }  // namespace hardball
