@@ -63,8 +63,9 @@ void declare(Arguments arguments, PackingText& packing) {
   arguments.add("--walls", packing.walls, "AXES", "Axes of the box with walls instead of periods, as in z");
   arguments.add(
       "--container", packing.container, "CONTAINER",
-      "Instead of a box: cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, cone:DIAMETER,HEIGHT or "
-      "slab:X,Y,HEIGHT, with colons between proportions; or mesh:FILE, a closed mesh, or mesh:FILE,SCALE");
+      "Instead of a box: cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, shell:INNER,OUTER, "
+      "cone:DIAMETER,HEIGHT, truncated_cone:BOTTOM,TOP,HEIGHT or slab:X,Y,HEIGHT, with colons between "
+      "proportions; or mesh:FILE, a closed mesh, or mesh:FILE,SCALE");
   arguments.add("--phi", packing.phi, "max|FRACTION", "Packing fraction, or max for as dense as spheres jam");
   arguments.add("--pressure", packing.pressure, "Z",
                 "Instead of --phi, PV/NkT of the median sphere, to a tenth");

@@ -26,6 +26,12 @@ std::string container_text(const Container& container) {
                     count_of(container.mesh->triangles().size(), "triangle"), size.x, size.y, size.z);
     return container.scale == 1 ? text : text + fmt::format(", scaled by {:.9g}", container.scale);
   }
+  if (container.shape == shell)
+    return fmt::format("shell between diameters {:.6g} and {:.6g}", container.inner, size.x);
+  if (container.shape == truncated_cone) {
+    return fmt::format("truncated cone of diameters {:.6g} and {:.6g} and height {:.6g}", container.inner,
+                       size.x, size.z);
+  }
   if (container.shape == sphere) return fmt::format("sphere of diameter {:.6g}", size.x);
   if (container.shape != box) {
     return fmt::format("{} of diameter {:.6g} and height {:.6g}",
@@ -48,6 +54,7 @@ Json container_json(const Container& container) {
     walls.push_back(!container.is_periodic(axis));
   }
   Json json = {{"shape", name_of(container.shape)}, {"size", edges}, {"walls", walls}};
+  if (container.inner > 0) json["inner"] = container.inner;
   if (!container.mesh) return json;
   json["scale"] = container.scale;
   json["low"] = {container.low.x, container.low.y, container.low.z};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/packing/container.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -56,7 +57,7 @@ Container Container::within(std::shared_ptr<const Mesh> mesh, double scale, std:
 Box Container::box() const {
   using enum Boundary;
   std::array<Boundary, kAxes> boundary{open, open, wall};
-  if (shape == Shape::sphere || shape == Shape::mesh) boundary = {open, open, open};
+  if (shape == Shape::sphere || shape == Shape::shell || shape == Shape::mesh) boundary = {open, open, open};
   if (shape == Shape::box) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) boundary[axis] = has_walls[axis] ? wall : periodic;
   }
@@ -71,12 +72,21 @@ std::vector<Surface> Container::surfaces() const {
   if (shape == Shape::cylinder) return {Surface(Cylinder(up, radius), {center.x, center.y, 0})};
   if (shape == Shape::sphere) return {Surface(HollowSphere(radius), center)};
   if (shape == Shape::cone) return {Surface(Cone(up, radius / size.z), {center.x, center.y, 0})};
+  if (shape == Shape::truncated_cone) {
+    const double wider = size.x - inner;
+    return {Surface(Cone(up, wider / 2 / size.z), {center.x, center.y, -(inner / wider) * size.z})};
+  }
+  if (shape == Shape::shell)
+    return {Surface(HollowSphere(radius), center), Surface(Obstacle(inner / 2), center)};
   if (shape == Shape::mesh) return {Surface(MeshShape(hardball::scaled(mesh, scale), MeshSide::inside), {})};
   return {};
 }
 
 double Container::volume() const {
   if (shape == Shape::mesh) return scale * scale * scale * mesh->volume();
+  // Without the differences of large numbers that nearly equal diameters would leave.
+  if (shape == Shape::truncated_cone)
+    return std::numbers::pi / 12 * size.z * (size.x * size.x + size.x * inner + inner * inner);
   return accessible_volume(World(box(), {}, surfaces()));
 }
 
@@ -86,6 +96,12 @@ double Container::wall_area() const {
   const double disc = std::numbers::pi * radius * radius;
   if (shape == Shape::mesh) return scale * scale * mesh->area();
   if (shape == Shape::sphere) return whole.sphere_surface(radius);
+  if (shape == Shape::shell) return whole.sphere_surface(radius) + whole.sphere_surface(inner / 2);
+  if (shape == Shape::truncated_cone) {
+    const double narrow = inner / 2;
+    return disc + std::numbers::pi * narrow * narrow +
+           std::numbers::pi * (radius + narrow) * slant(radius - narrow, size.z);
+  }
   if (shape == Shape::cylinder) return 2 * disc + 2 * std::numbers::pi * radius * size.z;
   if (shape == Shape::cone) return disc + std::numbers::pi * radius * slant(radius, size.z);
   double area = 0;
@@ -96,14 +112,18 @@ double Container::wall_area() const {
 
 double Container::largest_radius() const {
   if (shape == Shape::mesh) return scale * inscribed;
-  if (shape != Shape::cone) return largest_fitting_radius(box(), surfaces());
-  // The sphere that touches the lid and the mantle.
+  if (shape == Shape::shell) return (size.x - inner) / 4;
+  if (shape != Shape::cone && shape != Shape::truncated_cone)
+    return largest_fitting_radius(box(), surfaces());
+  // The sphere that touches the lid and the mantle, unless it is too high.
   const double radius = size.x / 2;
-  return radius * size.z / (radius + slant(radius, size.z));
+  const double wider = radius - inner / 2;
+  const double touching = radius * size.z / (wider + slant(wider, size.z));
+  return std::min(touching, size.z / 2);
 }
 
 std::size_t Container::free_motions() const {
-  if (shape == Shape::sphere) return dimensions == 2 ? 1 : 3;
+  if (shape == Shape::sphere || shape == Shape::shell) return dimensions == 2 ? 1 : 3;
   if (shape == Shape::mesh) return 0;
   if (shape != Shape::box) return 1;
   std::size_t translations = 0;
@@ -116,6 +136,7 @@ Container Container::scaled(double factor) const {
   Container result = *this;
   result.size = factor * size;
   result.low = factor * low;
+  result.inner = factor * inner;
   result.scale = factor * scale;
   return result;
 }
@@ -124,10 +145,19 @@ void check(const Container& container, std::string_view where) {
   for (std::size_t axis = 0; axis < container.dimensions; ++axis)
     check_positive(container.size[axis], "size", where);
   using enum Container::Shape;
-  if (container.dimensions == 2 && container.shape != box && container.shape != sphere) {
+  const bool is_flat_too = container.shape == box || container.shape == sphere || container.shape == shell;
+  if (container.dimensions == 2 && !is_flat_too) {
     throw Error("discs do not fit into a cylinder, a cone or a mesh", std::string(where),
-                "give a box, or a sphere, which is a circle for discs");
+                "give a box, or a sphere or a shell, which are circles for discs");
   }
+  if (container.shape != truncated_cone && container.shape != shell) return;
+  check_positive(container.inner, "the smaller diameter", where);
+  if (container.inner < container.size.x) return;
+  throw Error("the diameters are " + to_text(container.inner) + " and " + to_text(container.size.x),
+              std::string(where),
+              container.shape == shell
+                  ? "give the smaller one first"
+                  : "give the smaller one first, at the bottom: a packing can be turned over");
 }
 
 }  // namespace hardball

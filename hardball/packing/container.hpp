@@ -25,14 +25,18 @@ struct HARDBALL_EXPORT Container {
     box,
     cylinder,  ///< Upright, between two flat ends.
     sphere,
-    cone,  ///< On its apex, with a lid.
-    mesh,  ///< What a closed mesh encloses.
+    cone,            ///< On its apex, with a lid.
+    mesh,            ///< What a closed mesh encloses.
+    truncated_cone,  ///< On its narrow end, with a floor and a lid.
+    shell,           ///< Between two spheres about one center.
   };
 
   Shape shape = Shape::box;
   std::size_t dimensions = 3;           ///< 2 for discs: then a sphere is a circle.
   Vec3 size = {};                       ///< Size of the box around it [L]; z is zero in two dimensions.
   std::array<bool, kAxes> has_walls{};  ///< The axes along which a box has walls and is not periodic.
+  /// The smaller diameter: of a truncated cone at its bottom, or of the sphere within a shell [L].
+  double inner = 0;
   std::shared_ptr<const Mesh> mesh =
       {};            ///< The mesh that is filled, before it is scaled; none of other shapes.
   double scale = 1;  ///< The factor of the coordinates of the mesh [1].
@@ -66,17 +70,18 @@ struct HARDBALL_EXPORT Container {
   friend bool operator==(const Container&, const Container&) = default;
   static void persist(auto& archive, auto& self) {
     archive(self.shape, self.dimensions, self.size, self.has_walls);
-    archive.require(self.shape <= Shape::mesh && (self.dimensions == 2 || self.dimensions == 3));
+    archive.require(self.shape <= Shape::shell && (self.dimensions == 2 || self.dimensions == 3));
     if (self.shape == Shape::mesh) archive(self.mesh, self.scale, self.inscribed, self.low);
+    if (self.shape > Shape::mesh) archive(self.inner);
   }
 };
 
-/// Error, with `where` as its place: the container cannot exist in its dimensions, or an edge is not
-/// positive.
+/// Error, with `where` as its place: the container cannot exist in its dimensions, an edge is not positive,
+/// or what is to be the smaller diameter is not smaller.
 void check(const Container& container, std::string_view where);
 
 template <>
-inline constexpr std::array<std::string_view, 5> kNames<Container::Shape>{"box", "cylinder", "sphere", "cone",
-                                                                          "mesh"};
+inline constexpr std::array<std::string_view, 7> kNames<Container::Shape>{
+    "box", "cylinder", "sphere", "cone", "mesh", "truncated_cone", "shell"};
 
 }  // namespace hardball

@@ -29,18 +29,23 @@ Fine distance_to_face(const Container& container, Face face, const Vec3& center)
   return face % 2 == 0 ? Fine{center[axis], 0} : difference(container.size[axis], center[axis]);
 }
 
-Fine distance_to_curved(const Container& container, const Vec3& center) {
+// From the curved wall of this number; only that of a shell's inner sphere is not the first.
+Fine distance_to_curved(const Container& container, std::size_t number, const Vec3& center) {
+  using enum Container::Shape;
   const Fine radius{container.size.x / 2, 0};
+  const bool is_round = container.shape == sphere || container.shape == shell;
   std::array<Fine, kAxes> from_axis{difference(center.x, container.size.x / 2),
                                     difference(center.y, container.size.y / 2), Fine{0, 0}};
-  if (container.shape == Container::Shape::sphere && container.dimensions == 3)
-    from_axis[2] = difference(center.z, container.size.z / 2);
+  if (is_round && container.dimensions == 3) from_axis[2] = difference(center.z, container.size.z / 2);
   const Fine distance = length_of(from_axis);
-  if (container.shape != Container::Shape::cone) return radius - distance;
-  // Of a point at height z the mantle is (z R - H rho) / sqrt(R^2 + H^2) away.
+  if (number > 0) return distance - Fine{container.inner / 2, 0};
+  if (is_round || container.shape == cylinder) return radius - distance;
+  // Of a point at height z the mantle is (z (R - r) + H r - H rho) / sqrt((R - r)^2 + H^2) away.
   const Fine height{container.size.z, 0};
-  const Fine across = Fine{center.z, 0} * radius - height * distance;
-  return quotient(across, square_root(square(radius) + square(height)));
+  const Fine narrow{container.inner / 2, 0};
+  const Fine wider = radius - narrow;
+  const Fine across = Fine{center.z, 0} * wider + height * (narrow - distance);
+  return quotient(across, square_root(square(wider) + square(height)));
 }
 
 }  // namespace
@@ -113,12 +118,14 @@ void PackedSpheres::for_each_near(double gap, const Function<void(const NearPair
         take({.bodies = {first, wall.number, true}, .separation = wall.separation, .reach = radius},
              wall.distance);
       });
-    } else if (!surfaces.empty()) {
-      const Fine distance = distance_to_curved(container, positions[first]);
-      take({.bodies = {first, kFaces, true},
-            .separation = distance.high * surfaces.front().direction(positions[first], Time(0)),
-            .reach = radius},
-           distance);
+    } else {
+      for (std::uint32_t number = 0; number < surfaces.size(); ++number) {
+        const Fine distance = distance_to_curved(container, number, positions[first]);
+        take({.bodies = {first, kFaces + number, true},
+              .separation = distance.high * surfaces[number].direction(positions[first], Time(0)),
+              .reach = radius},
+             distance);
+      }
     }
     for (const NearPair& pair : found) visit(pair);
   }

@@ -108,8 +108,9 @@ void read_container(const PackingText& text, const std::string& prefix, PackingR
   const std::string where = prefix + "container";
   const std::string& whole = *text.container;
   const std::string remedy =
-      "give cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, cone:DIAMETER,HEIGHT or slab:X,Y,HEIGHT, with colons "
-      "between proportions, or mesh:FILE or mesh:FILE,SCALE";
+      "give cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, shell:INNER,OUTER, cone:DIAMETER,HEIGHT, "
+      "truncated_cone:BOTTOM,TOP,HEIGHT or slab:X,Y,HEIGHT, with colons between proportions, or mesh:FILE or "
+      "mesh:FILE,SCALE";
   const std::size_t colon = whole.find(':');
   const std::string name = whole.substr(0, colon);
   const std::string sizes = colon == std::string::npos ? "" : whole.substr(colon + 1);
@@ -124,6 +125,19 @@ void read_container(const PackingText& text, const std::string& prefix, PackingR
     container.shape = name == "cone" ? Container::Shape::cone : Container::Shape::cylinder;
     const Lengths lengths = parse_lengths(sizes, 2, 2, where, remedy);
     container.size = {lengths.values[0], lengths.values[0], lengths.values[1]};
+    request.is_container_size_free = lengths.are_proportions;
+  } else if (name == "shell") {
+    container.shape = Container::Shape::shell;
+    const Lengths lengths = parse_lengths(sizes, 2, 2, where, remedy);
+    container.inner = lengths.values[0];
+    const double outer = lengths.values[1];
+    container.size = {outer, outer, request.dimensions == 2 ? 0 : outer};
+    request.is_container_size_free = lengths.are_proportions;
+  } else if (name == "truncated_cone") {
+    container.shape = Container::Shape::truncated_cone;
+    const Lengths lengths = parse_lengths(sizes, 3, 3, where, remedy);
+    container.inner = lengths.values[0];
+    container.size = {lengths.values[1], lengths.values[1], lengths.values[2]};
     request.is_container_size_free = lengths.are_proportions;
   } else if (name == "mesh") {
     if (sizes.empty()) refuse(whole, where, remedy);
