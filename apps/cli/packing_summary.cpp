@@ -24,7 +24,7 @@ std::string container_text(const Container& container) {
     const std::string text =
         fmt::format("mesh of {} within {:.6g} x {:.6g} x {:.6g}",
                     count_of(container.mesh->triangles().size(), "triangle"), size.x, size.y, size.z);
-    return container.scale == 1 ? text : text + fmt::format(", scaled by {:.9g}", container.scale);
+    return container.scale == 1 ? text : text + ", scaled by " + to_text(container.scale);
   }
   if (container.shape == shell)
     return fmt::format("shell between diameters {:.6g} and {:.6g}", container.inner, size.x);

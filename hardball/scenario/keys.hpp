@@ -16,6 +16,9 @@ namespace hardball {
 /// The shapes of walls that are meshes: of a file, or of a few triangles.
 inline constexpr std::array<std::string_view, 4> kMeshShapes{"mesh", "box", "capsule", "plate"};
 
+/// The shapes of walls that stand for several surfaces.
+inline constexpr std::array<std::string_view, 2> kJoinedShapes{"truncated_cone", "shell"};
+
 /// What a value is.
 enum class ValueType {
   number,
