@@ -26,7 +26,7 @@ void hardball::fuzz::read(std::string_view bytes) {
     if (name == "sizes" && !value.starts_with("file")) text.sizes = value;
     if (name == "box") text.box = value;
     if (name == "walls") text.walls = value;
-    if (name == "container") text.container = value;
+    if (name == "container" && !value.starts_with("mesh")) text.container = value;
     if (name == "phi") text.phi = value;
     if (name == "pressure") text.pressure = value;
     if (name == "rate") text.rate = value;

@@ -61,9 +61,11 @@ void declare(Arguments arguments, PackingText& packing) {
                 "discrete:SIZE=SHARE,SIZE=SHARE, or file:FILE with radii");
   arguments.add("--box", packing.box, "EDGES", "Edges, as in 10,10,20; or proportions, as in 1:1:2");
   arguments.add("--walls", packing.walls, "AXES", "Axes of the box with walls instead of periods, as in z");
-  arguments.add("--container", packing.container, "CONTAINER",
-                "Instead of a box: cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, cone:DIAMETER,HEIGHT or "
-                "slab:X,Y,HEIGHT; with colons between proportions");
+  arguments.add(
+      "--container", packing.container, "CONTAINER",
+      "Instead of a box: cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, shell:INNER,OUTER, "
+      "cone:DIAMETER,HEIGHT, truncated_cone:BOTTOM,TOP,HEIGHT or slab:X,Y,HEIGHT, with colons between "
+      "proportions; or mesh:FILE, a closed mesh, or mesh:FILE,SCALE");
   arguments.add("--phi", packing.phi, "max|FRACTION", "Packing fraction, or max for as dense as spheres jam");
   arguments.add("--pressure", packing.pressure, "Z",
                 "Instead of --phi, PV/NkT of the median sphere, to a tenth");

@@ -9,6 +9,7 @@
 
 #include "apps/cli/number_or_null.hpp"
 #include "apps/cli/terminal.hpp"
+#include "apps/cli/written.hpp"
 #include "hardball/error.hpp"
 
 namespace hardball::cli {
@@ -19,6 +20,18 @@ using Json = nlohmann::ordered_json;
 std::string container_text(const Container& container) {
   using enum Container::Shape;
   const Vec3& size = container.size;
+  if (container.mesh) {
+    const std::string text =
+        fmt::format("mesh of {} within {:.6g} x {:.6g} x {:.6g}",
+                    count_of(container.mesh->triangles().size(), "triangle"), size.x, size.y, size.z);
+    return container.scale == 1 ? text : text + ", scaled by " + to_text(container.scale);
+  }
+  if (container.shape == shell)
+    return fmt::format("shell between diameters {:.6g} and {:.6g}", container.inner, size.x);
+  if (container.shape == truncated_cone) {
+    return fmt::format("truncated cone of diameters {:.6g} and {:.6g} and height {:.6g}", container.inner,
+                       size.x, size.z);
+  }
   if (container.shape == sphere) return fmt::format("sphere of diameter {:.6g}", size.x);
   if (container.shape != box) {
     return fmt::format("{} of diameter {:.6g} and height {:.6g}",
@@ -40,11 +53,13 @@ Json container_json(const Container& container) {
     edges.push_back(container.size[axis]);
     walls.push_back(!container.is_periodic(axis));
   }
-  const char* const name = container.shape == box        ? "box"
-                           : container.shape == cylinder ? "cylinder"
-                           : container.shape == sphere   ? "sphere"
-                                                         : "cone";
-  return {{"shape", name}, {"size", edges}, {"walls", walls}};
+  Json json = {{"shape", name_of(container.shape)}, {"size", edges}, {"walls", walls}};
+  if (container.inner > 0) json["inner"] = container.inner;
+  if (!container.mesh) return json;
+  json["scale"] = container.scale;
+  json["low"] = {container.low.x, container.low.y, container.low.z};
+  json["volume"] = container.volume();
+  return json;
 }
 
 }  // namespace

@@ -110,7 +110,10 @@ std::vector<Bound> bounds_of_walls_left(const PackedSpheres& spheres, const Step
   const double tolerated = std::max(kRounding, kOfGrowth * step.growth);
   const ContactKey* last = nullptr;
   for (const NearPair& pair : step.pairs) {
-    if (!pair.bodies.is_wall || pair.bodies.second != kFaces || (last && *last == pair.bodies)) continue;
+    // The inner sphere of a shell is convex as spheres are.
+    const bool may_be_left = pair.bodies.is_wall && (spheres.container.mesh ? pair.bodies.second >= kFaces
+                                                                            : pair.bodies.second == kFaces);
+    if (!may_be_left || (last && last->first == pair.bodies.first)) continue;
     last = &pair.bodies;
     const Vec3& position = spheres.positions[pair.bodies.first];
     const Vec3 moved = position + step.moves[pair.bodies.first];
@@ -175,6 +178,7 @@ std::vector<bool> bearing_spheres(const Step& step) {
 // they change no gap, and may be as long as the program allows.
 void stop_free_motions(const PackedSpheres& spheres, Step& step) {
   const Container& container = spheres.container;
+  if (container.free_motions() == 0) return;
   const std::vector<bool> bears = bearing_spheres(step);
   std::vector<Vec3>& moves = step.moves;
   if (container.shape == Container::Shape::box) {

@@ -7,36 +7,20 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
-#include "hardball/geometry/double_double.hpp"
 #include "hardball/numbers/exact_sum.hpp"
+#include "hardball/packing/fine.hpp"
+#include "hardball/packing/mesh_walls.hpp"
 #include "hardball/world/static_hash_grid.hpp"
 
 namespace hardball {
 namespace {
 
-using Fine = DoubleDouble<double>;
-
-Fine square(const Fine& a) {
-  return a * a;
-}
-
-// sqrt(a), by a step of Newton's method from the root of its high part.
-Fine square_root(const Fine& a) {
-  const double rough = std::sqrt(a.high);
-  if (!(rough > 0)) return {0, 0};
-  const Fine rest = a - product(rough, rough);
-  return normalized(rough, (rest.high + rest.low) / (2 * rough));
-}
-
 // Of two centers along an axis, with the shift of an image.
 Fine apart(double first, double second, double shift) {
   return difference(second, first) + Fine{shift, 0};
-}
-
-Fine length_of(const std::array<Fine, kAxes>& vector) {
-  return square_root(sum_of_three(square(vector[0]), square(vector[1]), square(vector[2])));
 }
 
 // How far the center of a sphere is from a wall.
@@ -45,20 +29,23 @@ Fine distance_to_face(const Container& container, Face face, const Vec3& center)
   return face % 2 == 0 ? Fine{center[axis], 0} : difference(container.size[axis], center[axis]);
 }
 
-Fine distance_to_curved(const Container& container, const Vec3& center) {
+// From the curved wall of this number; only that of a shell's inner sphere is not the first.
+Fine distance_to_curved(const Container& container, std::size_t number, const Vec3& center) {
+  using enum Container::Shape;
   const Fine radius{container.size.x / 2, 0};
+  const bool is_round = container.shape == sphere || container.shape == shell;
   std::array<Fine, kAxes> from_axis{difference(center.x, container.size.x / 2),
                                     difference(center.y, container.size.y / 2), Fine{0, 0}};
-  if (container.shape == Container::Shape::sphere && container.dimensions == 3)
-    from_axis[2] = difference(center.z, container.size.z / 2);
+  if (is_round && container.dimensions == 3) from_axis[2] = difference(center.z, container.size.z / 2);
   const Fine distance = length_of(from_axis);
-  if (container.shape != Container::Shape::cone) return radius - distance;
-  // Of a point at height z the mantle is (z R - H rho) / sqrt(R^2 + H^2) away.
+  if (number > 0) return distance - Fine{container.inner / 2, 0};
+  if (is_round || container.shape == cylinder) return radius - distance;
+  // Of a point at height z the mantle is (z (R - r) + H r - H rho) / sqrt((R - r)^2 + H^2) away.
   const Fine height{container.size.z, 0};
-  const Fine across = Fine{center.z, 0} * radius - height * distance;
-  const Fine slant = square_root(square(radius) + square(height));
-  const Fine quotient = divide(across, slant.high);
-  return quotient - Fine{quotient.high * slant.low / slant.high, 0};
+  const Fine narrow{container.inner / 2, 0};
+  const Fine wider = radius - narrow;
+  const Fine across = Fine{center.z, 0} * wider + height * (narrow - distance);
+  return quotient(across, square_root(square(wider) + square(height)));
 }
 
 }  // namespace
@@ -84,7 +71,9 @@ void PackedSpheres::for_each_near(double gap, const Function<void(const NearPair
   const double wider = 1 + gap;
   StaticHashGrid grid(box, size(), wider * radii[order.front()]);
   for (const std::uint32_t sphere : order) grid.insert(positions[sphere], wider * radii[sphere]);
-  const std::size_t curved = container.surfaces().size();
+  const std::vector<Surface> surfaces = container.surfaces();
+  std::optional<MeshWalls> mesh;
+  if (container.mesh) mesh.emplace(surfaces.front().mesh()->shared_mesh());
   std::vector<NearPair> found;
   for (std::uint32_t first = 0; first < size(); ++first) {
     found.clear();
@@ -124,13 +113,19 @@ void PackedSpheres::for_each_near(double gap, const Function<void(const NearPair
       separation[face / 2] = face % 2 == 0 ? -distance.high : distance.high;
       take({.bodies = {first, face, true}, .separation = separation, .reach = radius}, distance);
     }
-    if (curved > 0) {
-      const Fine distance = distance_to_curved(container, positions[first]);
-      const Surface surface = container.surfaces().front();
-      take({.bodies = {first, kFaces, true},
-            .separation = distance.high * surface.direction(positions[first], Time(0)),
-            .reach = radius},
-           distance);
+    if (mesh) {
+      mesh->for_each_near(positions[first], wider * radius, [&](const NearWall& wall) {
+        take({.bodies = {first, wall.number, true}, .separation = wall.separation, .reach = radius},
+             wall.distance);
+      });
+    } else {
+      for (std::uint32_t number = 0; number < surfaces.size(); ++number) {
+        const Fine distance = distance_to_curved(container, number, positions[first]);
+        take({.bodies = {first, kFaces + number, true},
+              .separation = distance.high * surfaces[number].direction(positions[first], Time(0)),
+              .reach = radius},
+             distance);
+      }
     }
     for (const NearPair& pair : found) visit(pair);
   }

@@ -17,7 +17,8 @@
 namespace hardball {
 
 /// Two bodies that touch: spheres by id, `image` being that of the second which the first meets, or a sphere
-/// and a wall, numbered from kFaces on where it is curved.
+/// and a wall, numbered from kFaces on where it is no face of the box: a mesh has as many walls as MeshWalls
+/// says.
 struct ContactKey {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
@@ -52,7 +53,7 @@ struct SphereLabels {
 /// Spheres at rest in a container.
 struct HARDBALL_EXPORT PackedSpheres {
   Container container;
-  std::vector<Vec3> positions;  ///< Centers, within the box of the container [L].
+  std::vector<Vec3> positions;  ///< Centers, within the box around the container [L].
   std::vector<double> radii;    ///< [L]
   SphereLabels labels = {};
 

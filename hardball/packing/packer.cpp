@@ -37,7 +37,8 @@ std::vector<Vec3> thermal_velocities(std::size_t count, const Container& contain
 }
 
 World start_of(const PackingPlan& plan, const OnProgress& on_progress) {
-  World world(plan.container.box(), {}, plan.container.surfaces());
+  const Container& container = plan.container;
+  World world(container.box(), {}, container.surfaces());
   const std::size_t dimensions = plan.container.dimensions;
   std::vector<double> radii = plan.radii;
   std::vector<Vec3> centers = plan.start;
@@ -47,8 +48,8 @@ World start_of(const PackingPlan& plan, const OnProgress& on_progress) {
     for (const double radius : radii) volume += world.box().sphere_volume(radius);
     const double shrink = plan.start_fraction / (volume / plan.container.volume());
     for (double& radius : radii) radius *= root(shrink, dimensions);
-    centers =
-        place_shrunken(world, {{}, plan.container.size}, radii, random, "packing", Progress(on_progress));
+    centers = place_shrunken(world, {container.low, container.low + container.size}, radii, random, "packing",
+                             Progress(on_progress));
   }
   const std::vector<Vec3> velocities = thermal_velocities(centers.size(), plan.container, random);
   world.reserve(centers.size());
@@ -133,13 +134,21 @@ void Packer::record(const Contact& contact) {
     virial_[contact.first] += std::fabs(dot(impulse, contact.wall_normal)) * contact.first_radius;
   }
   if (state_ != State::weighing || weighed_at_.empty()) return;
-  ContactKey bodies{contact.first, contact.second, !contact.is_collision()};
+  ContactKey bodies{contact.first, contact.is_collision() ? contact.second : wall_of(contact),
+                    !contact.is_collision()};
   if (contact.is_collision()) {
     const Box& box = simulation_.world().box();
     const Vec3 apart = weighed_at_[contact.second] - weighed_at_[contact.first];
     bodies.image = box.nearest_image(contact.separation - apart);
   }
   impulses_[bodies] += length(impulse);
+}
+
+// The number of a wall as contacts are counted: a mesh has many.
+std::uint32_t Packer::wall_of(const Contact& contact) {
+  if (!plan_.container.mesh) return contact.second;
+  if (!mesh_walls_) mesh_walls_.emplace(simulation_.world().surfaces().front().mesh()->shared_mesh());
+  return mesh_walls_->number(contact.feature);
 }
 
 // What the pressure must exceed before spheres are as dense as planned; infinite where that is a packing

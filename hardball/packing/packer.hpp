@@ -15,6 +15,7 @@
 #include "hardball/describe/names.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/memory/function.hpp"
+#include "hardball/packing/mesh_walls.hpp"
 #include "hardball/packing/packing_plan.hpp"
 #include "hardball/simulation/simulation.hpp"
 
@@ -105,6 +106,7 @@ class HARDBALL_EXPORT Packer {
   static constexpr const char* kWhereSaved = "the saved packing";
 
   void record(const Contact& contact);
+  std::uint32_t wall_of(const Contact& contact);
   std::uint64_t contacts() const { return simulation_.counters().contacts(); }
   double contacts_for(double collisions) const {
     return collisions * static_cast<double>(simulation_.size());
@@ -173,6 +175,7 @@ class HARDBALL_EXPORT Packer {
   double too_dense_ = std::numeric_limits<double>::infinity();
   std::vector<Vec3> weighed_at_;  // centers when weighing began, to which the images of impulses refer [L]
   std::unordered_map<ContactKey, double> impulses_;
+  std::optional<MeshWalls> mesh_walls_;  // of a mesh, once they are needed
   std::vector<PackingMoment> history_;
 };
 

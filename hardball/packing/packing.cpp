@@ -83,14 +83,19 @@ void round_to_singles(PackedSpheres& spheres) {
   Container& container = spheres.container;
   for (std::size_t axis = 0; axis < container.dimensions; ++axis) {
     const auto edge = static_cast<float>(container.size[axis]);
-    const double center = container.size[axis] / 2;
+    double center = container.low[axis] + container.size[axis] / 2;
     container.size[axis] = static_cast<double>(edge);
+    if (container.mesh) {
+      // So that nothing is rounded where a reader adds it.
+      center = static_cast<double>(static_cast<float>(center));
+      container.low[axis] = center - container.size[axis] / 2;
+    }
     for (Vec3& position : spheres.positions) {
       auto from_center = static_cast<float>(position[axis] - center);
       // Within the box also after rounding, where it is periodic.
       if (container.is_periodic(axis) && from_center >= edge / 2) from_center -= edge;
       if (container.is_periodic(axis) && from_center < -edge / 2) from_center += edge;
-      position[axis] = container.size[axis] / 2 + static_cast<double>(from_center);
+      position[axis] = (container.low[axis] + container.size[axis] / 2) + static_cast<double>(from_center);
     }
   }
 }
@@ -264,7 +269,7 @@ Snapshot snapshot_of(const PackedSpheres& spheres) {
   Snapshot snapshot;
   SnapshotBox box;
   const SphereLabels& labels = spheres.labels;
-  box.low = labels.low;
+  box.low = labels.low + spheres.container.low;
   box.size = spheres.container.size;
   box.is_flat = spheres.container.dimensions == 2;
   for (std::size_t axis = 0; axis < spheres.container.dimensions; ++axis)

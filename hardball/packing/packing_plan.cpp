@@ -70,8 +70,12 @@ struct Given {
 };
 
 Given given_in(const PackingRequest& request) {
-  return {request.count || !request.radii.empty(), request.diameter || !request.radii.empty(),
-          request.container && !request.is_container_size_free, request.goal.has_value()};
+  Given given{request.count || !request.radii.empty(), request.diameter || !request.radii.empty(),
+              request.container && !request.is_container_size_free, request.goal.has_value()};
+  // A mesh keeps its size unless the others say how large it is to be.
+  const bool is_mesh = request.container && request.container->mesh;
+  if (is_mesh && !(given.count && given.diameter && given.goal)) given.size = true;
+  return given;
 }
 
 [[noreturn]] void refuse(std::string what, std::string remedy) {
@@ -89,7 +93,11 @@ void check_numbers(const PackingRequest& request) {
   if (request.count == 0) refuse("the count is zero", "give at least two spheres");
   if (request.diameter) check_positive(*request.diameter, "diameter", "packing");
   for (const double radius : request.radii) check_positive(radius, "radius", "packing");
-  if (request.container) check(*request.container, "packing");
+  if (request.container) {
+    Container container = *request.container;
+    container.dimensions = request.dimensions;
+    check(container, "packing");
+  }
   if (request.rate) check_positive(*request.rate, "rate", "packing");
   if (!(request.gap >= 0 && request.gap < 1)) {
     refuse("the gap is " + to_text(request.gap), "give a fraction of the diameter from 0 to below 1");
@@ -392,8 +400,9 @@ void check_existence(const PackingPlan& plan, const SizeStatistics& sizes) {
   const auto* pressure = std::get_if<Pressure>(&plan.goal);
   if (!pressure) return;
   // The resolution of coordinates.
-  const Vec3& size = plan.container.size;
-  const double most = 8e13 * 2 * sizes.mean / std::max({size.x, size.y, size.z});
+  const Vec3& low = plan.container.low;
+  const Vec3 high = low + plan.container.size;
+  const double most = 8e13 * 2 * sizes.mean / std::max({high.x, high.y, high.z, -low.x, -low.y, -low.z});
   if (pressure->compressibility < most) return;
   refuse(
       "at a pressure of " + to_text(pressure->compressibility) + " gaps are smaller than coordinates resolve",

@@ -39,7 +39,9 @@ struct PackingRequest {
   std::optional<RadiusDistribution> distribution = {};
   std::vector<double> radii = {};           ///< Listed radii, instead [L].
   std::optional<Container> container = {};  ///< A periodic cube if not given.
-  bool is_container_size_free = false;      ///< Edges of the container are only proportions.
+  /// Edges of the container are only proportions; but a mesh keeps its size where one of the other three is
+  /// not given.
+  bool is_container_size_free = false;
   std::optional<Goal> goal = {};
   /// How fast spheres grow, in the unit of GrowthRules::rate; chosen by the goal if not given.
   std::optional<double> rate = {};

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/meshes/read_mesh.hpp"
 #include "hardball/platform/from_chars.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
 
@@ -93,12 +95,22 @@ void read_box(const PackingText& text, const std::string& prefix, PackingRequest
   request.container = container;
 }
 
+// The mesh of a file, with a comma before its scale if that is given.
+Container read_mesh_container(const std::string& text, std::optional<double>& scale) {
+  const std::size_t comma = text.rfind(',');
+  std::string file = text;
+  if (comma != std::string::npos) scale = number_in<double>(std::string_view(text).substr(comma + 1));
+  if (scale) file.resize(comma);
+  return Container::within(std::make_shared<const Mesh>(read_mesh(file)), scale.value_or(1), file);
+}
+
 void read_container(const PackingText& text, const std::string& prefix, PackingRequest& request) {
   const std::string where = prefix + "container";
   const std::string& whole = *text.container;
   const std::string remedy =
-      "give cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, cone:DIAMETER,HEIGHT or slab:X,Y,HEIGHT, with colons "
-      "between proportions";
+      "give cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, shell:INNER,OUTER, cone:DIAMETER,HEIGHT, "
+      "truncated_cone:BOTTOM,TOP,HEIGHT or slab:X,Y,HEIGHT, with colons between proportions, or mesh:FILE or "
+      "mesh:FILE,SCALE";
   const std::size_t colon = whole.find(':');
   const std::string name = whole.substr(0, colon);
   const std::string sizes = colon == std::string::npos ? "" : whole.substr(colon + 1);
@@ -114,6 +126,24 @@ void read_container(const PackingText& text, const std::string& prefix, PackingR
     const Lengths lengths = parse_lengths(sizes, 2, 2, where, remedy);
     container.size = {lengths.values[0], lengths.values[0], lengths.values[1]};
     request.is_container_size_free = lengths.are_proportions;
+  } else if (name == "shell") {
+    container.shape = Container::Shape::shell;
+    const Lengths lengths = parse_lengths(sizes, 2, 2, where, remedy);
+    container.inner = lengths.values[0];
+    const double outer = lengths.values[1];
+    container.size = {outer, outer, request.dimensions == 2 ? 0 : outer};
+    request.is_container_size_free = lengths.are_proportions;
+  } else if (name == "truncated_cone") {
+    container.shape = Container::Shape::truncated_cone;
+    const Lengths lengths = parse_lengths(sizes, 3, 3, where, remedy);
+    container.inner = lengths.values[0];
+    container.size = {lengths.values[1], lengths.values[1], lengths.values[2]};
+    request.is_container_size_free = lengths.are_proportions;
+  } else if (name == "mesh") {
+    if (sizes.empty()) refuse(whole, where, remedy);
+    std::optional<double> scale;
+    container = read_mesh_container(sizes, scale);
+    request.is_container_size_free = !scale;
   } else if (name == "slab") {
     const Lengths lengths = parse_lengths(sizes, request.dimensions, request.dimensions, where, remedy);
     for (std::size_t axis = 0; axis < request.dimensions; ++axis) container.size[axis] = lengths.values[axis];

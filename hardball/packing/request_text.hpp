@@ -17,7 +17,7 @@ struct PackingText {
   std::optional<std::string> sizes = {};      ///< As in "lognormal:0.3", or "file:radii.txt".
   std::optional<std::string> box = {};        ///< As in "10,10,20", or "1:1:2" for proportions.
   std::optional<std::string> walls = {};      ///< The axes of the box with walls, as in "z".
-  std::optional<std::string> container = {};  ///< As in "cylinder:7,50".
+  std::optional<std::string> container = {};  ///< As in "cylinder:7,50", or "mesh:hopper.stl".
   std::optional<std::string> phi = {};        ///< A packing fraction, or "max".
   std::optional<std::string> pressure = {};
   std::optional<std::string> rate = {};

@@ -11,6 +11,25 @@ namespace {
 
 constexpr double kStepsPerDiameter = 25;
 
+bool is_round(const Container& container) {
+  return container.shape == Container::Shape::sphere || container.shape == Container::Shape::shell;
+}
+bool is_conical(const Container& container) {
+  return container.shape == Container::Shape::cone || container.shape == Container::Shape::truncated_cone;
+}
+
+// The wall of a cone that may be truncated.
+struct Mantle {
+  explicit Mantle(const Container& container)
+      : bottom(container.inner / 2),
+        slope((container.size.x - container.inner) / 2 / container.size.z),
+        secant(std::hypot(1, slope)) {}
+
+  double bottom;  // its radius there
+  double slope;   // by which that grows with the height
+  double secant;  // the distance of two points on it over that along the axis
+};
+
 // A circle about the axis of a container.
 struct Ring {
   double radius;
@@ -39,7 +58,8 @@ class Shell {
     }
     const double height = lowest() + share * (container_->size.z - lowest());
     if (container_->shape == Container::Shape::cylinder) return {inner, height};
-    return {(height - lowest()) * radius_ / container_->size.z, height};
+    const Mantle mantle(*container_);
+    return {mantle.bottom + mantle.slope * height - distance_ * mantle.secant, height};
   }
 
   // The first ring that is not below a height.
@@ -58,11 +78,12 @@ class Shell {
   }
 
  private:
-  bool is_sphere() const { return container_->shape == Container::Shape::sphere; }
+  bool is_sphere() const { return is_round(*container_); }
   // Where the surface begins: within a cone, at an apex of its own.
   double lowest() const {
-    if (container_->shape != Container::Shape::cone) return 0;
-    return distance_ * std::hypot(radius_, container_->size.z) / radius_;
+    if (!is_conical(*container_)) return 0;
+    const Mantle mantle(*container_);
+    return std::max(0.0, (distance_ * mantle.secant - mantle.bottom) / mantle.slope);
   }
 
   const Container* container_;
@@ -83,19 +104,21 @@ double share_within(const Ring& ring, double from_axis, double height, double ra
   return std::acos(excess / twice) / std::numbers::pi;
 }
 
-// From the curved wall [L].
+// From the curved wall, of a shell from the outer one [L].
 double depth(const Container& container, double from_axis, double height) {
   const double radius = container.size.x / 2;
-  if (container.shape == Container::Shape::cone)
-    return (height * radius - from_axis * container.size.z) / std::hypot(radius, container.size.z);
-  const bool is_ball = container.shape == Container::Shape::sphere && container.dimensions == 3;
+  if (is_conical(container)) {
+    const Mantle mantle(container);
+    return (mantle.bottom + mantle.slope * height - from_axis) / mantle.secant;
+  }
+  const bool is_ball = is_round(container) && container.dimensions == 3;
   return radius - (is_ball ? std::hypot(from_axis, height - radius) : from_axis);
 }
 
 // The largest distance from the curved wall [L].
 double deepest(const Container& container) {
-  const double height = container.shape == Container::Shape::cone ? container.size.z : container.size.x / 2;
-  return depth(container, 0, height);
+  if (container.shape == Container::Shape::shell) return (container.size.x - container.inner) / 2;
+  return depth(container, 0, is_conical(container) ? container.size.z : container.size.x / 2);
 }
 
 }  // namespace
@@ -103,7 +126,8 @@ double deepest(const Container& container) {
 WallProfile wall_profile(const PackedSpheres& spheres) {
   const Container& container = spheres.container;
   WallProfile profile;
-  if (container.shape == Container::Shape::box || spheres.size() == 0) return profile;
+  using enum Container::Shape;
+  if (container.shape == box || container.shape == mesh || spheres.size() == 0) return profile;
   const double end = deepest(container);
   const auto steps = static_cast<std::size_t>(std::ceil(end * kStepsPerDiameter / spheres.mean_diameter()));
   profile.width = end / static_cast<double>(steps);

@@ -19,9 +19,10 @@ struct WallProfile {
   double distance(std::size_t step) const { return (static_cast<double>(step) + 0.5) * width; }
 };
 
-/// The profile from the mantle of a cylinder or a cone, or from the wall of a sphere or a circle; empty in a
-/// box. Surfaces at one distance are taken from end to end. Precondition: the spheres are within the
-/// container and do not overlap. Cost: O(n), some 10 us for each sphere.
+/// The profile from the mantle of a cylinder or a cone, or from the wall of a sphere or a circle, of a shell
+/// from the outer one; empty in a box or a mesh. Surfaces at one distance are taken from end to end.
+/// Precondition: the spheres are within the container and do not overlap. Cost: O(n), some 10 us for each
+/// sphere.
 HARDBALL_EXPORT WallProfile wall_profile(const PackedSpheres& spheres);
 
 }  // namespace hardball

@@ -141,12 +141,13 @@ class SequentialAddition {
       look_ahead(centers);
       const Vec3 center = draw_in(centers, random_);
       if (space_ && space_->is_excluded(center)) continue;
-      if (is_allowed_ && !is_allowed_(center, radius)) continue;
       const bool overlaps =
           placed_.is_any_near(center, radius, [](std::uint32_t, const Vec3& separation, double reach) {
             return dot(separation, separation) < reach * reach;
           });
-      if (!overlaps) return center;
+      // Asked last: it may cost most.
+      if (!overlaps && (!is_allowed_ || is_allowed_(center, radius))) return center;
+      if (!overlaps) continue;
       // To know where there is no room pays once that many tries have failed.
       if (!space_ && ++failed_tries_ > placed_.size()) make_space(radius, kCoarseVoxels);
     }

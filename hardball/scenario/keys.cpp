@@ -494,6 +494,20 @@ std::vector<KeyDescription> mesh_keys() {
   };
 }
 
+// What only walls have that stand for several surfaces.
+std::vector<KeyDescription> joined_keys() {
+  const auto& [cone, shell] = kJoinedShapes;
+  return {
+      only_for({cone}, required("bottom_radius", number(positive, "L"), "its radius at `point`", "1.0")),
+      only_for({cone}, required("top_radius", number(positive, "L"),
+                                "its radius at the other end, which must differ", "4.0")),
+      only_for({cone}, required("height", number(positive, "L"),
+                                "how far along `axis` the other end is; both ends are planes", "6.0")),
+      only_for({shell}, required("inner_radius", number(positive, "L"),
+                                 "the radius of the sphere around which the spheres are", "2.0")),
+  };
+}
+
 TableDescription walls_keys() {
   Names shapes;
   std::vector<std::string> points;
@@ -504,9 +518,12 @@ TableDescription walls_keys() {
     if (!std::is_same_v<S, Plane>) around.push_back("a " + std::string(S::kName));
   });
   shapes.insert(shapes.end(), kMeshShapes.begin(), kMeshShapes.end());
+  shapes.insert(shapes.end(), kJoinedShapes.begin(), kJoinedShapes.end());
+  around.insert(around.end(), {"a truncated cone", "a shell"});
   for (const char* const point :
        {"the origin of the file of a mesh", "the center of the box", "the center of one end of the capsule",
-        "a corner of the plate", "below the first point of the heights"})
+        "a corner of the plate", "below the first point of the heights",
+        "the center of one end of the truncated cone", "the center of the shell"})
     points.emplace_back(point);
   std::vector<KeyDescription> keys{
       required("shape", choice(shapes), "its shape; the spheres are inside " + enumerated(around, " or "),
@@ -515,9 +532,11 @@ TableDescription walls_keys() {
   for (const KeyDescription& key : keys_of_kinds([](const auto& visit) { for_each_shape_of_walls(visit); }))
     keys.push_back(key);
   for (KeyDescription& key : keys) {
-    if (key.name == "radius") key.only_for.push_back(kMeshShapes[2]);
+    if (key.name == "radius") key.only_for.insert(key.only_for.end(), {kMeshShapes[2], kJoinedShapes[1]});
+    if (key.name == "axis") key.only_for.push_back(kJoinedShapes[0]);
   }
   for (const KeyDescription& key : mesh_keys()) keys.push_back(key);
+  for (const KeyDescription& key : joined_keys()) keys.push_back(key);
   keys.push_back(
       key("velocity", vector("L/T"), "its constant velocity", "[0.0, 0.0, 0.1]", "[0.0, 0.0, 0.0]"));
   for_each_field<OscillatingPlane>([&](const auto& field) {
@@ -543,6 +562,7 @@ std::string walls_meaning() {
   for (const std::string_view shape : kMeshShapes) {
     shapes.push_back(std::string(shape) + (shape.ends_with("sh") || shape.ends_with('x') ? "es" : "s"));
   }
+  shapes.insert(shapes.end(), {"truncated cones", "shells"});
   return "walls besides those of the box: " + enumerated(shapes, " and ");
 }
 

@@ -17,6 +17,9 @@ namespace hardball {
 inline constexpr std::array<std::string_view, 5> kMeshShapes{"mesh", "box", "capsule", "plate",
                                                              "height_field"};
 
+/// The shapes of walls that stand for several surfaces.
+inline constexpr std::array<std::string_view, 2> kJoinedShapes{"truncated_cone", "shell"};
+
 /// What a value is.
 enum class ValueType {
   number,

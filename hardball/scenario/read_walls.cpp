@@ -98,26 +98,72 @@ std::optional<std::size_t> read_motion_of_wall(const Section& section, const Sce
   return motion_named(*name, scenario.motions);
 }
 
-SurfaceDescription read_wall(const Section& section, const std::filesystem::path& folder,
-                             const Scenario& scenario) {
+// A surface of a wall.
+struct Part {
+  Shape shape;
+  Vec3 point;
+};
+
+// A cone between two planes across its axis. Error: it is a cylinder.
+std::vector<Part> read_truncated_cone(const Section& section, const Vec3& point, std::size_t dimensions) {
+  const Vec3 axis = direction_of(section.need("axis"), "axis", dimensions);
+  const double bottom = section.need("bottom_radius").number();
+  const double top = section.need("top_radius").number();
+  const double height = section.need("height").number();
+  if (bottom == top) {
+    throw Error("both ends of a truncated cone have the radius " + to_text(top), section.location(),
+                "give a cylinder, and planes");
+  }
+  const double slope = (top - bottom) / height;
+  const Vec3 apex = point - (bottom / slope) * axis;
+  return {{Cone(slope > 0 ? axis : -axis, std::fabs(slope)), apex},
+          {Plane(axis), point},
+          {Plane(-axis), point + height * axis}};
+}
+
+// A sphere within another. Error: it is not the smaller one.
+std::vector<Part> read_shell(const Section& section, const Vec3& point) {
+  const double outer = section.need("radius").number();
+  const double inner = section.need("inner_radius").number();
+  if (inner >= outer) {
+    throw Error("the radii of a shell are " + to_text(outer) + " and " + to_text(inner), section.location(),
+                "give an inner_radius that is smaller than the radius");
+  }
+  return {{HollowSphere(outer), point}, {Obstacle(inner), point}};
+}
+
+// Adds the surfaces of a wall.
+void read_wall(const Section& section, const std::filesystem::path& folder, const Scenario& scenario,
+               std::vector<SurfaceDescription>& surfaces) {
   const std::size_t dimensions = scenario.dimensions();
   const Value name = section.need("shape");
   static_cast<void>(name.choice());
   const Vec3 point = section.need("point").vector(dimensions);
   const std::string kind = name.text();
   const bool is_mesh = std::ranges::find(kMeshShapes, kind) != kMeshShapes.end();
-  Shape shape = is_mesh ? Shape(read_mesh_shape(section, kind, folder))
-                        : *from_description<Shape>(kind, [&](const auto& field) {
-                            return read_field(section, field, dimensions);
-                          });
+  std::vector<Part> parts;
+  if (is_mesh) {
+    parts.push_back({read_mesh_shape(section, kind, folder), point});
+  } else if (kind == kJoinedShapes[0]) {
+    parts = read_truncated_cone(section, point, dimensions);
+  } else if (kind == kJoinedShapes[1]) {
+    parts = read_shell(section, point);
+  } else {
+    Shape shape = *from_description<Shape>(
+        kind, [&](const auto& field) { return read_field(section, field, dimensions); });
+    if (std::holds_alternative<Plane>(shape)) shape = read_oscillation(section, shape);
+    parts.push_back({std::move(shape), point});
+  }
   const SurfaceMaterial material = read_material(section);
   Vec3 velocity;
   if (const auto given = section.find("velocity")) velocity = given->vector(dimensions);
-  if (std::holds_alternative<Plane>(shape)) shape = read_oscillation(section, shape);
-  SurfaceDescription wall = described(shape, point, velocity, material, section.location());
-  wall.motion = read_motion_of_wall(section, scenario);
-  if (const auto about = section.find("torque_about")) wall.torque_offset = about->vector(dimensions) - point;
-  return wall;
+  for (const Part& part : parts) {
+    SurfaceDescription& wall =
+        surfaces.emplace_back(described(part.shape, part.point, velocity, material, section.location()));
+    wall.motion = read_motion_of_wall(section, scenario);
+    if (const auto about = section.find("torque_about"))
+      wall.torque_offset = about->vector(dimensions) - part.point;
+  }
 }
 
 std::vector<Vec3> read_positions(const Section& section, std::size_t dimensions) {
@@ -156,8 +202,7 @@ std::vector<SurfaceDescription> read_surfaces(const Section& root, const std::fi
                                               const Scenario& scenario) {
   const std::size_t dimensions = scenario.dimensions();
   std::vector<SurfaceDescription> surfaces;
-  for (const Section& section : root.sections("walls"))
-    surfaces.push_back(read_wall(section, folder, scenario));
+  for (const Section& section : root.sections("walls")) read_wall(section, folder, scenario, surfaces);
   for (const Section& section : root.sections("obstacles")) {
     const Obstacle obstacle(section.need("radius").number());
     const SurfaceMaterial material = read_material(section);

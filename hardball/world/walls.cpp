@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <variant>
 
 #include "hardball/errors/error.hpp"
@@ -114,6 +115,53 @@ Extent reached(const Motion& motion, const Path& path, double radius, const Time
 // How far from a face a sphere is.
 double gap_to_face(const Box& box, const Vec3& position, double radius, std::size_t axis, bool upper) {
   return upper ? (box.size()[axis] - radius) - position[axis] : position[axis] - radius;
+}
+
+// Where planes and faces of the box end a tube or a cone, along its axis from its point [L].
+struct Ends {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+// The volume of a tube between two ends, or of a cone from its apex [L^3], in a flat box of a cone [L^2]. A
+// difference of powers would lose digits where the ends are close.
+double volume_between(const Cylinder& tube, const Box& /*box*/, const Ends& ends) {
+  return std::numbers::pi * tube.radius() * tube.radius() * (ends.high - ends.low);
+}
+double volume_between(const Cone& cone, const Box& box, const Ends& ends) {
+  const double near = std::max(0.0, ends.low);
+  const double far = std::max(0.0, ends.high);
+  const double slope = cone.slope();
+  if (box.is_flat()) return slope * (far - near) * (far + near);
+  return std::numbers::pi / 3 * slope * slope * (far - near) * (far * far + far * near + near * near);
+}
+
+// The volume of a tube or a cone that planes across its axis cut off [L^3]; NaN if others do, or it goes on.
+template <class S>
+double volume_between_planes(const Setting& setting, const Surface& enclosing, const S& shape) {
+  Ends ends;
+  if (const std::size_t along = axis_along(shape.axis()); along < kAxes && setting.box().is_wall(along)) {
+    const double behind = shape.axis()[along] > 0 ? -enclosing.point()[along]
+                                                  : enclosing.point()[along] - setting.box().size()[along];
+    ends = {behind, behind + setting.box().size()[along]};
+  }
+  for (const Surface& surface : setting.surfaces()) {
+    const Vec3* const normal = surface.normal();
+    if (normal == nullptr) continue;
+    const auto* const plane = std::get_if<Plane>(&surface.shape());
+    const bool is_low = *normal == shape.axis();
+    const bool is_across = plane && (is_low || *normal == -shape.axis());
+    const bool stays = surface.velocity() == enclosing.velocity() && surface.since() == enclosing.since();
+    if (!is_across || !stays) return std::numeric_limits<double>::quiet_NaN();
+    const double along = dot(surface.point() - enclosing.point(), shape.axis());
+    if (is_low) {
+      ends.low = std::max(ends.low, along);
+    } else {
+      ends.high = std::min(ends.high, along);
+    }
+  }
+  const double volume = volume_between(shape, setting.box(), ends);
+  return std::isfinite(volume) ? volume : std::numeric_limits<double>::quiet_NaN();
 }
 
 // When a sphere touches a face; kNever if never.
@@ -324,6 +372,12 @@ double accessible_volume(const Setting& setting) {
   double volume = box.volume();
   double obstacles = 0;
   bool is_enclosed = false;
+  const bool has_planes =
+      std::ranges::any_of(setting.surfaces(), [](const Surface& surface) { return surface.normal(); });
+  // Planes end a tube or a cone, and enclose nothing by themselves.
+  const bool has_tube = std::ranges::any_of(setting.surfaces(), [](const Surface& surface) {
+    return std::holds_alternative<Cylinder>(surface.shape()) || std::holds_alternative<Cone>(surface.shape());
+  });
   for (const Surface& surface : setting.surfaces()) {
     const Shape& shape = surface.shape();
     if (const auto* obstacle = std::get_if<Obstacle>(&shape)) {
@@ -334,10 +388,13 @@ double accessible_volume(const Setting& setting) {
       obstacles += surface.mesh()->displaced_volume();
       continue;
     }
+    if (surface.normal() && has_tube) continue;
     if (is_enclosed) return std::numeric_limits<double>::quiet_NaN();
     is_enclosed = true;
     volume = std::visit(
-        [&](const auto& enclosing) {
+        [&]<class S>(const S& enclosing) {
+          if constexpr (std::is_same_v<S, Cylinder> || std::is_same_v<S, Cone>)
+            if (has_planes) return volume_between_planes(setting, surface, enclosing);
           if constexpr (requires { enclosing.volume(box, surface.point()); })
             return enclosing.volume(box, surface.point());
           return std::numeric_limits<double>::quiet_NaN();

@@ -114,7 +114,8 @@ HARDBALL_EXPORT bool is_clear_of_surfaces(const Setting& setting, const Vec3& po
                                           const Time& moment);
 
 /// The volume that spheres share: that of the box less the obstacles, or of the one hollow sphere, or tube or
-/// cone along an axis, that encloses them [L^3]; infinite in open space, NaN between other surfaces.
+/// cone along an axis of the box or between planes across its own, that encloses them [L^3]; infinite in open
+/// space, NaN between other surfaces.
 HARDBALL_EXPORT double accessible_volume(const Setting& setting);
 
 /// The volume of the spheres at `moment` over the accessible volume [1]; NaN in unbounded space, and without

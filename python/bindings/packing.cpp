@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -138,10 +139,17 @@ void polish_if_wanted([[maybe_unused]] Packing& packing, [[maybe_unused]] bool w
 #endif
 }
 
-PythonPacking pack(const PackingText& text, const std::vector<double>& radii, std::size_t threads,
-                   std::optional<double> limit, bool polishes) {
+PythonPacking pack(const PackingText& text, const std::vector<double>& radii,
+                   const std::shared_ptr<Mesh>& mesh, std::size_t threads, std::optional<double> limit,
+                   bool polishes) {
   check_polish(polishes);
   PackingRequest request = parse_request(text, "");
+  if (mesh) {
+    if (request.container)
+      throw Error("there is a container, and a box or its walls", "container", "give one of the two");
+    request.container = Container::within(mesh, 1, "container");
+    request.is_container_size_free = true;
+  }
   if (!radii.empty()) request.radii = radii;
   Packer packer(plan(request), {.threads = threads});
   carry_out(packer, limit.value_or(std::numeric_limits<double>::infinity()));
@@ -230,9 +238,10 @@ void bind_packing(py::module_& module) {
   module.def(
       "_pack",
       [](const std::map<std::string, std::string>& parts, const std::vector<double>& radii,
-         std::size_t threads, std::optional<double> limit,
-         bool polish) { return pack(text_of(parts), radii, threads, limit, polish); },
-      py::arg("parts"), py::arg("radii"), py::arg("threads"), py::arg("limit"), py::arg("polish"));
+         const std::shared_ptr<Mesh>& mesh, std::size_t threads, std::optional<double> limit,
+         bool polish) { return pack(text_of(parts), radii, mesh, threads, limit, polish); },
+      py::arg("parts"), py::arg("radii"), py::arg("mesh").none(true), py::arg("threads"), py::arg("limit"),
+      py::arg("polish"));
 }
 
 }  // namespace hardball::python

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from . import _hardball
 from ._arguments import not_negative, path_text, real_number, real_numbers, text, truth, whole_number
+from ._hardball import Mesh
 from ._simulation import Simulation
 
 if TYPE_CHECKING:
@@ -28,8 +29,8 @@ class Packing(_hardball.Packing):
     `separation` [L], the vector from the center of the first to that of the second, or to the wall; and `force`, over
     the mean of all, NaN where it is not known. There are none of spheres that are far from jamming.
 
-    wall_profile() returns distances [L] from the wall of a cylinder, a cone or a sphere, and the packing fraction
-    there: arrays of shape (steps,), empty in a box.
+    wall_profile() returns distances [L] from the wall of a cylinder, a cone or a sphere, of a shell from the outer one,
+    and the packing fraction there: arrays of shape (steps,), empty in a box or a mesh.
     """
 
     def simulation(self, temperature: float = 1.0, seed: int = 1) -> Simulation:
@@ -83,7 +84,7 @@ def pack(
     sizes: str | tuple[Any, ...] | ArrayLike | None = None,
     box: float | Sequence[float] | str | None = None,
     walls: str | None = None,
-    container: str | None = None,
+    container: str | Mesh | None = None,
     phi: float | str | None = None,
     pressure: float | None = None,
     rate: float | None = None,
@@ -105,7 +106,8 @@ def pack(
         10), a text as on the command line, or an array of radii [L].
     :param box: edges [L], one for all or each; a text such as '1:1:2' for proportions.
     :param walls: the axes of the box with walls, as in 'z'; the others are periodic.
-    :param container: instead of a box, as in 'cylinder:7,50'; see docs/packing.md.
+    :param container: instead of a box, as in 'cylinder:7,50'; see docs/packing.md. A closed Mesh is filled as it is,
+        and scaled if count, diameter and density are given.
     :param phi: the packing fraction, or 'max' for as dense as spheres jam.
     :param pressure: instead of phi, PV/NkT of the median sphere, reached to between this and 1.1 times it.
     :param rate: how fast the mean diameter grows, over the thermal speed; chosen by the density if not given.
@@ -138,7 +140,8 @@ def pack(
     parts.update({name: repr(real_number(value, name)) for name, value in numbers.items() if value is not None})
     if walls is not None:
         parts["walls"] = text(walls, "walls", "z")
-    if container is not None:
+    mesh = container if isinstance(container, Mesh) else None
+    if container is not None and mesh is None:
         parts["container"] = text(container, "container", "cylinder:7,50")
     if start is not None:
         parts["start"] = path_text(start, "start")
@@ -147,6 +150,7 @@ def pack(
     made = _hardball._pack(
         parts,
         radii,
+        mesh,
         whole_number(threads, "threads"),
         None if limit is None else not_negative(limit, "limit"),
         truth(polish, "polish"),

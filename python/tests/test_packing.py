@@ -58,6 +58,21 @@ class PackingTest(unittest.TestCase):
                 packing.write(str(Path(folder) / name))
                 self.assertTrue((Path(folder) / name).exists())
 
+    def test_fills_a_mesh(self):
+        mesh = hardball.Mesh.box((4, 3, 5))
+        packing = hardball.pack(100, phi=0.4, container=mesh)
+        self.assertAlmostEqual(packing.phi, 0.4, places=12)
+        self.assertTrue(all(mesh.contains(packing.positions)))
+        self.assertTrue(all(mesh.distance(packing.positions) >= packing.radii))
+        larger = hardball.pack(100, diameter=1, phi=0.4, container=mesh)
+        self.assertAlmostEqual(larger.phi, 0.4, places=12)
+        self.assertAlmostEqual(larger.radii[0], 0.5, places=12)
+        packing.simulation().run(until=1)
+        with self.assertRaisesRegex(hardball.Error, "not closed"):
+            hardball.pack(10, phi=0.3, container=hardball.Mesh.plate((1, 0, 0), (0, 1, 0)))
+        with self.assertRaisesRegex(hardball.Error, "one of the two"):
+            hardball.pack(10, phi=0.3, box=3, container=mesh)
+
     def test_wall_profile(self):
         packing = hardball.pack(container="cylinder:4,6", diameter=1, phi=0.5)
         distances, fractions = packing.wall_profile()

@@ -34,6 +34,8 @@ REQUESTS = """
 --count 25 --container cylinder:3,4 --phi max --rate 0.1
 --count 25 --container sphere:5 --phi max --rate 0.1
 --count 25 --container cone:4,6 --phi max --rate 0.1
+--count 25 --container truncated_cone:2,4,3 --phi max --rate 0.1
+--count 25 --container shell:2,5 --phi max --rate 0.1
 --count 60 --pressure 10
 --count 30 --walls z --pressure 1e5 --rate 0.1
 --diameter 1 --box 5 --pressure 5
@@ -58,6 +60,11 @@ def volume_of(container, dimensions):
     if container["shape"] == "box":
         return math.prod(size)
     radius = size[0] / 2
+    if container["shape"] == "shell":
+        return 4 / 3 * math.pi * (radius**3 - (container["inner"] / 2) ** 3)
+    if container["shape"] == "truncated_cone":
+        narrow = container["inner"] / 2
+        return math.pi / 3 * size[2] * (radius**2 + radius * narrow + narrow**2)
     if container["shape"] == "sphere":
         return math.pi * radius**2 if dimensions == 2 else 4 / 3 * math.pi * radius**3
     return math.pi * radius**2 * size[2] / (1 if container["shape"] == "cylinder" else 3)
@@ -73,13 +80,19 @@ def wall_distances(position, container, dimensions):
                 yield size[axis] - position[axis]
         return
     radius = size[0] / 2
-    round_axes = dimensions if container["shape"] == "sphere" else 2
+    round_axes = dimensions if container["shape"] in ("sphere", "shell") else 2
     from_axis = sum((position[axis] - size[axis] / 2) ** 2 for axis in range(round_axes)).sqrt()
-    if container["shape"] == "cone":
+    narrow = Decimal(container.get("inner", 0)) / 2
+    if container["shape"] == "shell":
+        yield from_axis - narrow
+    if container["shape"] == "truncated_cone":
+        wider = radius - narrow
+        yield (position[2] * wider + size[2] * (narrow - from_axis)) / (wider**2 + size[2] ** 2).sqrt()
+    elif container["shape"] == "cone":
         yield (position[2] * radius - size[2] * from_axis) / (radius**2 + size[2] ** 2).sqrt()
     else:
         yield radius - from_axis
-    if container["shape"] != "sphere":
+    if container["shape"] not in ("sphere", "shell"):
         yield position[2]
         yield size[2] - position[2]
 

@@ -69,17 +69,24 @@ class RandomRequest {
     Container container{.dimensions = request_.dimensions};
     const auto edge = [this] { return 1 + 3 * random_.uniform(); };
     container.size = {edge(), edge(), request_.dimensions == 3 ? edge() : 0};
-    const std::size_t shape = pick(6);
+    const std::size_t shape = pick(8);
     if (shape == 0) {
       container.shape = Container::Shape::sphere;
+    } else if (shape == 6) {
+      container.shape = Container::Shape::shell;
+    } else if (shape == 7 && request_.dimensions == 3) {
+      container.shape = Container::Shape::truncated_cone;
     } else if (shape < 3 && request_.dimensions == 3) {
       container.shape = shape == 1 ? Container::Shape::cylinder : Container::Shape::cone;
     } else if (shape < 5) {
       for (std::size_t axis = 0; axis < request_.dimensions; ++axis) container.has_walls[axis] = pick(2) == 0;
     }
     if (container.shape != Container::Shape::box) container.size.y = container.size.x;
-    if (container.shape == Container::Shape::sphere && request_.dimensions == 3)
-      container.size.z = container.size.x;
+    const bool is_round =
+        container.shape == Container::Shape::sphere || container.shape == Container::Shape::shell;
+    if (is_round && request_.dimensions == 3) container.size.z = container.size.x;
+    if (container.shape == Container::Shape::shell || container.shape == Container::Shape::truncated_cone)
+      container.inner = (0.1 + 0.6 * random_.uniform()) * container.size.x;
     request_.container = container;
     request_.is_container_size_free = pick(2) == 0;
   }
@@ -138,10 +145,18 @@ double overlap_in(const Snapshot& snapshot, const Container& container, bool sin
     using enum Container::Shape;
     const std::array<Exact, 3>& at = centers[i];
     Exact from_axis = square(at[0] - edges[0] / 2) + square(at[1] - edges[1] / 2);
-    if (container.shape == sphere && dimensions == 3) from_axis += square(at[2] - edges[2] / 2);
+    const bool is_round = container.shape == sphere || container.shape == shell;
+    if (is_round && dimensions == 3) from_axis += square(at[2] - edges[2] / 2);
     from_axis = sqrt(from_axis);
     const Exact radius = edges[0] / 2;
-    if (container.shape == sphere || container.shape == cylinder) note(radius - from_axis, radii[i]);
+    if (container.shape == shell) note(from_axis - Exact(container.inner) / 2, radii[i]);
+    if (container.shape == truncated_cone) {
+      const Exact narrow = Exact(container.inner) / 2;
+      note((at[2] * (radius - narrow) + edges[2] * (narrow - from_axis)) /
+               sqrt(square(radius - narrow) + square(edges[2])),
+           radii[i]);
+    }
+    if (is_round || container.shape == cylinder) note(radius - from_axis, radii[i]);
     if (container.shape == cone)
       note((at[2] * radius - edges[2] * from_axis) / sqrt(square(radius) + square(edges[2])), radii[i]);
     const Box ends = container.box();

@@ -62,7 +62,8 @@ TEST(ContactNetwork, RemovesRattlersAgainAndAgain) {
 }
 
 TEST(ContactNetwork, KnowsWallsAndTheirGaps) {
-  PackedSpheres spheres{{.shape = Container::Shape::cylinder, .size = {4, 4, 3}}, {{3.5, 2, 0.5}}, {0.5}};
+  const Container cylinder{.shape = Container::Shape::cylinder, .size = {4, 4, 3}};
+  PackedSpheres spheres{cylinder, {{3.5, 2, 0.5}}, {0.5}};
   ContactNetwork network = contact_network(spheres, 1e-6);
   ASSERT_EQ(network.contacts.size(), 2U);
   EXPECT_TRUE(network.contacts[0].bodies.is_wall);

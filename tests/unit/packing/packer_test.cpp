@@ -12,6 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/packing/protocol.hpp"
 #include "hardball/world/totals.hpp"
+#include "hardball/world/walls.hpp"
 #include "support/packing.hpp"
 
 namespace hardball::packer_test {
@@ -325,6 +326,52 @@ TEST(Packer, OneSphereFillsItsContainer) {
   const Packing packing = support::pack(request);
   EXPECT_EQ(packing.status, Packing::Status::jammed);
   EXPECT_NEAR(packing.spheres.radii[0], 1.5, 1e-6);
+}
+
+// Within each of the containers whose walls are several surfaces, which nothing reaches beyond.
+TEST(Packer, FillsShellsAndTruncatedCones) {
+  using Shape = Container::Shape;
+  for (const Container& container :
+       {Container{.shape = Shape::shell, .size = {6, 6, 6}, .inner = 2},
+        Container{.shape = Shape::truncated_cone, .size = {5, 5, 4}, .inner = 3},
+        Container{.shape = Shape::shell, .dimensions = 2, .size = {6, 6, 0}, .inner = 2}}) {
+    for (const bool jams : {false, true}) {
+      PackingRequest request = support::jammed_request(40);
+      request.dimensions = container.dimensions;
+      request.container = container;
+      request.rate = 0.1;
+      if (!jams) request.goal = 0.4;
+      const Packing packing = support::pack(request);
+      EXPECT_EQ(packing.status, jams ? Packing::Status::jammed : Packing::Status::reached) << packing.reason;
+      if (!jams) {
+        EXPECT_NEAR(packing.packing_fraction(), 0.4, 1e-12);
+      }
+      EXPECT_EQ(packing.largest_overlap, 0);
+      const World world(container.box(), {}, container.surfaces());
+      std::set<std::uint32_t> touched;
+      for (std::size_t i = 0; i < packing.spheres.size(); ++i) {
+        const Vec3& center = packing.spheres.positions[i];
+        const double radius = packing.spheres.radii[i];
+        EXPECT_GE(distance_to_surfaces(world, center, Time(0)), radius * (1 - 1e-14));
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+          if (!world.box().is_wall(axis)) continue;
+          EXPECT_GE(center[axis], radius * (1 - 1e-14));
+          EXPECT_LE(center[axis], container.size[axis] - radius * (1 - 1e-14));
+        }
+      }
+      for (const PackingContact& contact : packing.network.contacts) {
+        if (!contact.bodies.is_wall) continue;
+        touched.insert(contact.bodies.second);
+        if (contact.bodies.second >= kFaces) {
+          EXPECT_NEAR(length(contact.separation), packing.spheres.radii[contact.bodies.first], 1e-5);
+        }
+      }
+      if (jams) {
+        EXPECT_EQ(touched.size(), container.surfaces().size() + (world.box().is_wall(2) ? 2 : 0));
+        EXPECT_NEAR(packing.network.isostaticity, 1, 0.15);
+      }
+    }
+  }
 }
 
 void expect_end_without_room(const PackingRequest& request, Packing::Status status) {

@@ -11,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/packing/jamming.hpp"
 #include "hardball/packing/request_text.hpp"
+#include "hardball/world/walls.hpp"
 #include "support/refusal.hpp"
 
 namespace hardball::packing_plan_test {
@@ -217,6 +218,8 @@ TEST(PackingPlan, KnowsWhereMixturesJam) {
 TEST(PackingPlan, SpheresMayFillTheWidthOfTheirContainer) {
   const PackingPlan found = plan_of({.count = "3", .diameter = "10", .container = "cylinder:10,30"});
   EXPECT_NEAR(fraction_of(found), 2.0 / 3, 1e-12);
+  expect_refused({.count = "10", .container = "shell:3,2", .phi = "0.3"}, "give the smaller one first");
+  expect_refused({.count = "10", .container = "truncated_cone:3,3,4", .phi = "0.3"}, "turned over");
   expect_refused({.count = "3", .diameter = "10.1", .container = "cylinder:10,31"},
                  "the largest diameter would be 10.1 in a container 10 wide");
   expect_refused({.diameter = "10.1", .container = "cylinder:10,31", .phi = "max"}, "in a container 10 wide");
@@ -275,6 +278,22 @@ TEST(Container, HasItsVolumeAreaAndFreeMotions) {
   EXPECT_NEAR(cone.volume(), 12 * kPi, 1e-12);
   EXPECT_NEAR(cone.wall_area(), 24 * kPi, 1e-12);
   EXPECT_NEAR(cone.largest_radius(), 1.5, 1e-12);
+  const Container funnel{.shape = Container::Shape::truncated_cone, .size = {6, 6, 4}, .inner = 2};
+  EXPECT_NEAR(funnel.volume(), kPi * 4 / 3 * (9 + 3 + 1), 1e-13);
+  EXPECT_NEAR(accessible_volume(World(funnel.box(), {}, funnel.surfaces())), funnel.volume(), 1e-13);
+  EXPECT_NEAR(funnel.wall_area(), kPi * (9 + 1 + 4 * std::sqrt(20.0)), 1e-13);
+  EXPECT_NEAR(funnel.largest_radius(), 12 / (2 + std::sqrt(20.0)), 1e-14);
+  EXPECT_EQ(funnel.free_motions(), 1U);
+  EXPECT_NEAR(funnel.scaled(2).volume(), 8 * funnel.volume(), 1e-11);
+  const Container shell{.shape = Container::Shape::shell, .size = {6, 6, 6}, .inner = 2};
+  EXPECT_NEAR(shell.volume(), kPi * 4 / 3 * (27 - 1), 1e-13);
+  EXPECT_NEAR(shell.wall_area(), 4 * kPi * (9 + 1), 1e-13);
+  EXPECT_EQ(shell.largest_radius(), 1);
+  EXPECT_EQ(shell.free_motions(), 3U);
+  const Container ring{.shape = Container::Shape::shell, .dimensions = 2, .size = {6, 6, 0}, .inner = 2};
+  EXPECT_NEAR(ring.volume(), kPi * 8, 1e-13);
+  EXPECT_NEAR(ring.wall_area(), 2 * kPi * 4, 1e-13);
+  EXPECT_EQ(ring.free_motions(), 1U);
   Container slab = Container::periodic({2, 3, 4});
   slab.has_walls[2] = true;
   EXPECT_EQ(slab.wall_area(), 12);

@@ -46,6 +46,11 @@ TEST(RequestText, ReadsContainers) {
   EXPECT_EQ(container("cylinder:7,50").shape, Container::Shape::cylinder);
   EXPECT_EQ(container("cylinder:7,50").size, (Vec3{7, 7, 50}));
   EXPECT_EQ(container("cone:3,4").shape, Container::Shape::cone);
+  EXPECT_EQ(container("truncated_cone:2,3,4").shape, Container::Shape::truncated_cone);
+  EXPECT_EQ(container("truncated_cone:2,3,4").size, (Vec3{3, 3, 4}));
+  EXPECT_EQ(container("shell:2,3").shape, Container::Shape::shell);
+  EXPECT_EQ(container("shell:2,3").inner, 2);
+  EXPECT_TRUE(parse_request({.container = "shell:2:3"}, "").is_container_size_free);
   EXPECT_EQ(container("sphere:9").size, (Vec3{9, 9, 9}));
   EXPECT_EQ(container("slab:3,4,5").has_walls, (std::array<bool, kAxes>{false, false, true}));
   EXPECT_FALSE(parse_request({.container = "cylinder:7,50"}, "").is_container_size_free);
@@ -72,6 +77,8 @@ TEST(RequestText, NamesThePartThatIsWrong) {
   EXPECT_EQ(place_of_error({.walls = "z", .dimensions = "2"}), "--walls");
   EXPECT_EQ(place_of_error({.container = "cylinder"}), "--container");
   EXPECT_EQ(place_of_error({.container = "cube:1,2,3"}), "--container");
+  EXPECT_EQ(place_of_error({.container = "shell:1"}), "--container");
+  EXPECT_EQ(place_of_error({.container = "truncated_cone:1,2"}), "--container");
   EXPECT_EQ(place_of_error({.box = "3", .container = "sphere"}), "--container");
   EXPECT_EQ(place_of_error({.phi = "dense"}), "--phi");
   EXPECT_EQ(place_of_error({.phi = "0.6", .pressure = "10"}), "--pressure");

@@ -19,7 +19,16 @@ double area_at(const Container& container, double distance) {
   const double radius = container.size.x / 2;
   const double inner = radius - distance;
   if (container.dimensions == 2) return 2 * kPi * inner;
-  if (container.shape == Container::Shape::sphere) return 4 * kPi * inner * inner;
+  if (container.shape == Container::Shape::sphere || container.shape == Container::Shape::shell)
+    return 4 * kPi * inner * inner;
+  if (container.shape == Container::Shape::truncated_cone) {
+    const double slope = (radius - container.inner / 2) / container.size.z;
+    const double secant = std::hypot(1, slope);
+    // The radii of the surface at its ends, of which the lower may be an apex of its own.
+    const double top = radius - distance * secant;
+    const double bottom = std::max(0.0, container.inner / 2 - distance * secant);
+    return kPi * (top * top - bottom * bottom) * secant / slope;
+  }
   if (container.shape == Container::Shape::cylinder) return 2 * kPi * inner * container.size.z;
   const double share = 1 - distance * std::hypot(radius, container.size.z) / (radius * container.size.z);
   return kPi * radius * std::hypot(radius, container.size.z) * share * share;
@@ -41,6 +50,10 @@ std::vector<PackedSpheres> some() {
        {1.1, 1, 0.6}},
       {{.shape = Shape::sphere, .size = {6, 6, 6}}, {{3.3, 3, 2.6}, {1.2, 3, 4}}, {1, 0.8}},
       {{.shape = Shape::cone, .size = {6, 6, 6}}, {{3.2, 3, 3}, {4.5, 3, 5}}, {0.9, 0.7}},
+      {{.shape = Shape::truncated_cone, .size = {6, 6, 6}, .inner = 4},
+       {{3.2, 3, 3}, {4.5, 3, 5}, {2.5, 3, 1}},
+       {0.9, 0.7, 0.8}},
+      {{.shape = Shape::shell, .size = {6, 6, 6}, .inner = 2}, {{3.3, 3, 5}, {1, 3, 3.5}}, {0.9, 0.8}},
       {{.shape = Shape::sphere, .dimensions = 2, .size = {6, 6, 0}}, {{3.3, 3, 0}, {1.2, 3, 0}}, {1, 0.8}},
   };
 }
@@ -68,11 +81,17 @@ TEST(WallProfile, IsTheShareOfPointsWithinSpheres) {
                        container.size.z * random.uniform()};
       const double from_axis = std::hypot(point.x - radius, point.y - radius);
       double distance = radius - from_axis;
-      if (container.shape == Container::Shape::sphere && container.dimensions == 3)
+      const bool is_shell = container.shape == Container::Shape::shell;
+      if (container.shape == Container::Shape::truncated_cone) {
+        const double narrow = container.inner / 2;
+        distance = (point.z * (radius - narrow) + container.size.z * (narrow - from_axis)) /
+                   std::hypot(radius - narrow, container.size.z);
+      }
+      if (is_shell || (container.shape == Container::Shape::sphere && container.dimensions == 3))
         distance = radius - std::hypot(from_axis, point.z - radius);
       if (container.shape == Container::Shape::cone)
         distance = (point.z * radius - from_axis * container.size.z) / slant;
-      if (!(distance > 0)) continue;
+      if (!(distance > 0) || (is_shell && distance > radius - container.inner / 2)) continue;
       const auto step = static_cast<std::size_t>(distance / profile.width);
       if (step >= all.size()) continue;
       ++all[step];
