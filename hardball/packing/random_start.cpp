@@ -40,7 +40,7 @@ class ClearOfSurfaces {
     if (!distances_.empty()) {
       const double known = distance_in_voxel(center);
       if (known + reach_ < radius) return false;
-      if (known - reach_ > radius && empty_.other_surfaces().empty()) return true;
+      if (known - reach_ > radius) return true;
     }
     return is_clear_of_surfaces(empty_, center, radius, Time(0));
   }
@@ -55,7 +55,7 @@ class ClearOfSurfaces {
       voxel = voxel * count_[axis] + index;
       middle[axis] += (static_cast<double>(index) + 0.5) * edge_;
     }
-    if (std::isnan(distances_[voxel])) distances_[voxel] = distance_to_solids(empty_, middle);
+    if (std::isnan(distances_[voxel])) distances_[voxel] = distance_to_surfaces(empty_, middle, Time(0));
     return distances_[voxel];
   }
 
