@@ -32,7 +32,8 @@ contacts = hardball.first_contacts(robot, ways, obstacles)
 free = [k for k, contact in enumerate(contacts) if contact is None]
 touched = [contact.time for contact in contacts if contact is not None]
 print(f"{len(free)} of {len(ways)} ways are free; the others touch something after {np.mean(touched):.2f} s on average")
-clearances = [hardball.least_clearance(robot, ways[k], obstacles).distance for k in free]
+nearest = [hardball.least_clearance(robot, ways[k], obstacles) for k in free]
+clearances = [contact.distance if contact else math.inf for contact in nearest]
 widest = free[int(np.argmax(clearances))]
 print(f"the widest keeps {max(clearances):.4f} m from everything")
 

@@ -238,9 +238,9 @@ void bind_packing(py::module_& module) {
   module.def(
       "_pack",
       [](const std::map<std::string, std::string>& parts, const std::vector<double>& radii,
-         const std::shared_ptr<Mesh>& mesh, std::size_t threads, std::optional<double> limit,
-         bool polish) { return pack(text_of(parts), radii, mesh, threads, limit, polish); },
-      py::arg("parts"), py::arg("radii"), py::arg("mesh").none(true), py::arg("threads"), py::arg("limit"),
+         const std::optional<std::shared_ptr<Mesh>>& mesh, std::size_t threads, std::optional<double> limit,
+         bool polish) { return pack(text_of(parts), radii, mesh.value_or(nullptr), threads, limit, polish); },
+      py::arg("parts"), py::arg("radii"), py::arg("mesh"), py::arg("threads"), py::arg("limit"),
       py::arg("polish"));
 }
 
