@@ -37,11 +37,11 @@ struct HARDBALL_EXPORT Container {
   std::array<bool, kAxes> has_walls{};  ///< The axes along which a box has walls and is not periodic.
   /// The smaller diameter: of a truncated cone at its bottom, or of the sphere within a shell [L].
   double inner = 0;
-  std::shared_ptr<const Mesh> mesh =
-      {};            ///< The mesh that is filled, before it is scaled; none of other shapes.
+  /// The mesh that is filled, before it is scaled; none of other shapes.
+  std::shared_ptr<const Mesh> mesh = {};
   double scale = 1;  ///< The factor of the coordinates of the mesh [1].
-  double inscribed =
-      0;          ///< A bound of the radius of the largest sphere within the mesh, before it is scaled [L].
+  /// A bound of the radius of the largest sphere within the mesh, before it is scaled [L].
+  double inscribed = 0;
   Vec3 low = {};  ///< The corner of the box around it with the least coordinates [L].
 
   /// A box that is periodic along all axes.

@@ -268,7 +268,7 @@ MeshTouch touch_of_mesh(const Setting& setting, std::uint32_t number, const Path
                         const Time& moment) {
   const Surface& mesh = setting.surface(number);
   const double until = std::nextafter(moment.high, std::numeric_limits<double>::infinity());
-  // Whoever sees the sphere arrive knows better what it touches.
+  // A search that begins before the contact has fewer features to look at than one that begins in touch.
   const double speed = length(setting.motion().state_at(path, moment).velocity);
   const Time arriving = later(path.time, Time(moment.high - 0.25 * radius / speed));
   const auto [contact, image] =

@@ -17,6 +17,7 @@
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/walls.hpp"
 #include "support/effort.hpp"
+#include "support/torus.hpp"
 
 namespace hardball::meshes_test {
 namespace {
@@ -496,28 +497,6 @@ TEST(Tube, OfFacesApproachesTheCylinderWithTheSquareOfTheirNumber) {
   EXPECT_LT(before, 1e-3);
 }
 
-// A ring, of rings that are twice as many as the sides of each.
-MeshParts torus(std::uint32_t sides, double large, double small) {
-  constexpr double kTurn = 2 * 3.14159265358979323846;
-  const std::uint32_t rings = 2 * sides;
-  MeshParts parts;
-  for (std::uint32_t i = 0; i < rings; ++i) {
-    for (std::uint32_t k = 0; k < sides; ++k) {
-      const double around = kTurn * i / rings;
-      const double across = kTurn * k / sides;
-      const double from_axis = large + small * std::cos(across);
-      parts.vertices.push_back(
-          {from_axis * std::cos(around), from_axis * std::sin(around), small * std::sin(across)});
-      const auto at = [&](std::uint32_t ring, std::uint32_t side) {
-        return ring % rings * sides + side % sides;
-      };
-      parts.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
-      parts.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
-    }
-  }
-  return parts;
-}
-
 // When a point at unit speed first is `reach` away from the round ring, by steps as long as it is still away.
 double plain_time_to_torus(const Path& path, double large, double small, bool is_inside, double reach) {
   double t = 0;
@@ -538,7 +517,7 @@ TEST(Torus, OfTrianglesApproachesTheRoundOneWithTheSquareOfTheirNumber) {
   for (const bool is_inside : {true, false}) {
     double before = 0;
     for (const std::uint32_t sides : {16U, 32U, 64U}) {
-      const Surface mesh(MeshShape(std::make_shared<const Mesh>(torus(sides, kLarge, kSmall))), {});
+      const Surface mesh(MeshShape(support::torus(2 * sides, sides, kLarge, kSmall)), {});
       Random random(5);
       double sum = 0;
       int hits = 0;

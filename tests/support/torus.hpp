@@ -11,10 +11,10 @@
 
 namespace hardball::support {
 
-/// A closed mesh of a torus about the axis z, with its middle at `center` [L]: `rings` rings of `sides`
+/// The parts of a closed torus about the axis z, with its middle at `center` [L]: `rings` rings of `sides`
 /// points.
-inline std::shared_ptr<const Mesh> torus(std::uint32_t rings, std::uint32_t sides, double large, double small,
-                                         const Vec3& center = {}) {
+inline MeshParts torus_parts(std::uint32_t rings, std::uint32_t sides, double large, double small,
+                             const Vec3& center = {}) {
   MeshParts parts;
   for (std::uint32_t ring = 0; ring < rings; ++ring) {
     for (std::uint32_t side = 0; side < sides; ++side) {
@@ -30,7 +30,13 @@ inline std::shared_ptr<const Mesh> torus(std::uint32_t rings, std::uint32_t side
       parts.triangles.push_back({here + side, next_ring + next_side, here + next_side});
     }
   }
-  return std::make_shared<const Mesh>(std::move(parts));
+  return parts;
+}
+
+/// A mesh of these parts.
+inline std::shared_ptr<const Mesh> torus(std::uint32_t rings, std::uint32_t sides, double large, double small,
+                                         const Vec3& center = {}) {
+  return std::make_shared<const Mesh>(torus_parts(rings, sides, large, small, center));
 }
 
 }  // namespace hardball::support

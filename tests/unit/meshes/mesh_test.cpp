@@ -15,34 +15,13 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/surfaces/make_mesh.hpp"
 #include "support/effort.hpp"
+#include "support/torus.hpp"
 
 namespace hardball::mesh_test {
 namespace {
 
 Vec3 random_point(Random& random, double scale) {
   return scale * Vec3{random.normal(), random.normal(), random.normal()};
-}
-
-// A torus around z, of `rings` rings of `sides` points.
-MeshParts torus(std::uint32_t rings, std::uint32_t sides, double large, double small) {
-  MeshParts parts;
-  for (std::uint32_t ring = 0; ring < rings; ++ring) {
-    const double around = 2 * std::numbers::pi * ring / rings;
-    for (std::uint32_t side = 0; side < sides; ++side) {
-      const double across = 2 * std::numbers::pi * side / sides;
-      const double from_axis = large + small * std::cos(across);
-      parts.vertices.push_back(
-          {from_axis * std::cos(around), from_axis * std::sin(around), small * std::sin(across)});
-    }
-  }
-  const auto at = [&](std::uint32_t ring, std::uint32_t side) { return ring % rings * sides + side % sides; };
-  for (std::uint32_t ring = 0; ring < rings; ++ring) {
-    for (std::uint32_t side = 0; side < sides; ++side) {
-      parts.triangles.push_back({at(ring, side), at(ring + 1, side), at(ring + 1, side + 1)});
-      parts.triangles.push_back({at(ring, side), at(ring + 1, side + 1), at(ring, side + 1)});
-    }
-  }
-  return parts;
 }
 
 // As a file of triangles has them, each with vertices of its own.
@@ -74,7 +53,7 @@ TEST(Mesh, OfABoxHasItsFeaturesVolumeAndArea) {
 }
 
 TEST(Mesh, OfATorusHasItsVolumeWhicheverWayItIsTurned) {
-  MeshParts parts = torus(90, 40, 2, 1);
+  MeshParts parts = support::torus_parts(90, 40, 2, 1);
   const Mesh outward(parts);
   EXPECT_NEAR(outward.volume(), 4 * std::numbers::pi * std::numbers::pi, 0.3);
   EXPECT_EQ(outward.feature_count(), 7200U + 10800U + 3600U);
@@ -89,7 +68,7 @@ TEST(Mesh, OfATorusHasItsVolumeWhicheverWayItIsTurned) {
 }
 
 TEST(Mesh, KnowsWhatIsInsideEvenBelowItsVerticesAndEdges) {
-  const Mesh mesh(torus(24, 12, 2, 1));
+  const Mesh mesh(support::torus_parts(24, 12, 2, 1));
   std::uint64_t inside = 0;
   Random random(1);
   const auto expect_right = [&](const Vec3& point) {
@@ -110,7 +89,7 @@ TEST(Mesh, KnowsWhatIsInsideEvenBelowItsVerticesAndEdges) {
 }
 
 TEST(Mesh, WithAHoleHasAWindingNumber) {
-  MeshParts parts = torus(24, 12, 2, 1);
+  MeshParts parts = support::torus_parts(24, 12, 2, 1);
   parts.triangles.erase(parts.triangles.begin() + 5, parts.triangles.begin() + 8);
   const Mesh mesh(parts);
   EXPECT_FALSE(mesh.is_closed());
@@ -121,7 +100,7 @@ TEST(Mesh, WithAHoleHasAWindingNumber) {
 
 TEST(Mesh, FindsTheNearestPointAsAllTrianglesDo) {
   Random random(2);
-  const Mesh mesh(torus(30, 15, 2, 1));
+  const Mesh mesh(support::torus_parts(30, 15, 2, 1));
   for (std::uint64_t i = 0; i < support::cases(1000); ++i) {
     const Vec3 point = random_point(random, 2);
     double least = std::numeric_limits<double>::infinity();
@@ -137,7 +116,7 @@ TEST(Mesh, FindsTheNearestPointAsAllTrianglesDo) {
 
 TEST(Mesh, HasAClearanceThatIsNotMuchLessThanTheDistance) {
   Random random(4);
-  const Mesh mesh(torus(30, 15, 2, 1));
+  const Mesh mesh(support::torus_parts(30, 15, 2, 1));
   for (std::uint64_t i = 0; i < support::cases(10000); ++i) {
     const Vec3 point = random_point(random, 2);
     const double distance = length(mesh.nearest(point).point - point);
@@ -186,7 +165,7 @@ TEST(Mesh, LeavesOutTrianglesThatAreThereTwice) {
 }
 
 TEST(Mesh, IsRestoredFromAnArchiveAndSharedThere) {
-  const Mesh mesh(torus(6, 5, 2, 1));
+  const Mesh mesh(support::torus_parts(6, 5, 2, 1));
   const auto shared = std::make_shared<const Mesh>(mesh);
   const std::string bytes = archived(shared, shared);
   EXPECT_LT(bytes.size(), archived(shared).size() + 20);
