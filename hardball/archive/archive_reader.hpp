@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,7 +63,7 @@ class ArchiveReader {
     std::uint64_t size = 0;
     read(size);
     require(size <= bytes_.size() / least);
-    return size;
+    return static_cast<std::size_t>(size);
   }
 
   template <class T>
@@ -72,6 +73,11 @@ class ArchiveReader {
       read(byte);
       require(byte <= 1);
       value = byte != 0;
+    } else if constexpr (NarrowSize<T>) {
+      std::uint64_t wide = 0;
+      read(wide);
+      require(wide <= std::numeric_limits<T>::max());
+      value = static_cast<T>(wide);
     } else if constexpr (Plain<T>) {
       read_numbers(&value, 1);
     } else {
@@ -86,7 +92,7 @@ class ArchiveReader {
   template <class T, class Allocator>
   void read(std::vector<T, Allocator>& values) {
     values.clear();
-    if constexpr (Plain<T> && !std::is_same_v<T, bool>) {
+    if constexpr (Plain<T> && !NarrowSize<T> && !std::is_same_v<T, bool>) {
       values.resize(read_size(sizeof(T)));
       read_numbers(values.data(), values.size());
     } else {

@@ -24,8 +24,6 @@ namespace hardball {
 /// for what a class must have.
 class ArchiveWriter {
  public:
-  static_assert(sizeof(std::size_t) == sizeof(std::uint64_t), "sizes are written as they are");
-
   /// The version of the format written. It counts up whenever the state of any class changes; readers read
   /// all from that of the first release on.
   static constexpr std::uint32_t kVersion = 15;
@@ -50,6 +48,8 @@ class ArchiveWriter {
   void write(const T& value) {
     if constexpr (std::is_same_v<T, bool>) {
       write(static_cast<std::uint8_t>(value));
+    } else if constexpr (NarrowSize<T>) {
+      write_size(value);
     } else if constexpr (Plain<T>) {
       append_little_endian(bytes_, value);
     } else {
@@ -63,7 +63,7 @@ class ArchiveWriter {
   template <class T, class Allocator>
   void write(const std::vector<T, Allocator>& values) {
     write_size(values.size());
-    if constexpr (Plain<T> && !std::is_same_v<T, bool>) {
+    if constexpr (Plain<T> && !NarrowSize<T> && !std::is_same_v<T, bool>) {
       append_little_endian(bytes_, values.data(), values.size());
     } else {
       for (const T& value : values) write(value);

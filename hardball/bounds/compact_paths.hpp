@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include "hardball/kernels/bound_kernel.hpp"
 #include "hardball/memory/prefetch.hpp"
+#include "hardball/standard/bit_cast.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -142,7 +142,7 @@ class CompactPaths {
   // The nearest integer, modulo 2^32. Precondition: |number| < 2^51.
   static std::int32_t to_integer(double number) {
     constexpr double kPusher = 0x1.8p52;
-    return static_cast<std::int32_t>(std::bit_cast<std::int64_t>(number + kPusher));
+    return static_cast<std::int32_t>(bit_cast<std::int64_t>(number + kPusher));
   }
 
   void choose_units(const World& world);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/broadphase/approach_list.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/images.hpp"
 
 #include <algorithm>
@@ -100,7 +101,7 @@ void ApproachList::add(Slot other) {
 }
 
 void ApproachList::replace(Slot slot, Slot by) {
-  std::ranges::replace(slots_, slot, by);
+  ranges::replace(slots_, slot, by);
   if (owner_ == slot) owner_ = by;
 }
 

@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -72,7 +73,7 @@ void CellTable::spread(std::size_t spheres) {
                                                   1.2207440846057596};
   const CellIndex shape = cells_.shape();
   const auto is_divided = [](std::int32_t count) { return count != 1; };
-  const auto dimensions = static_cast<std::size_t>(std::ranges::count_if(shape, is_divided));
+  const auto dimensions = static_cast<std::size_t>(ranges::count_if(shape, is_divided));
   size_ = std::bit_floor(spheres + kAlways);
   HARDBALL_CHECK(size_ <= std::size_t{1} << 31);
   shift_ = static_cast<std::uint32_t>(std::countl_zero(static_cast<std::uint32_t>(size_ - 1)));

@@ -7,6 +7,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/wait_in_ball.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/images.hpp"
 
 namespace hardball {
@@ -72,7 +73,7 @@ void LargeSphereGrid::insert_large(const World& world, Slot slot, const Time& no
 bool LargeSphereGrid::admits(const World& world, Slot slot) const {
   const double radius = world.bounding_radius(slot);
   if (radius <= std::max(sizes_.largest_in_grid, sizes_.second_largest)) return true;
-  return radius <= sizes_.largest && std::ranges::all_of(large_, [&](const LargeSphere& other) {
+  return radius <= sizes_.largest && ranges::all_of(large_, [&](const LargeSphere& other) {
            return other.radius <= sizes_.second_largest || other.slot == slot;
          });
 }

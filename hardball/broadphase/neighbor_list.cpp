@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/images.hpp"
 
 namespace hardball {
@@ -149,7 +150,7 @@ void NeighborList::make_mutual() {
     const std::span<const Slot> lanes = neighbors_.of(slot);
     for (const Slot other : std::vector<Slot>(lanes.begin(), lanes.end())) {
       const std::span<const Slot> its = neighbors_.of(other);
-      if (other != slot && std::ranges::find(its, slot) == its.end()) neighbors_.insert(other, slot);
+      if (other != slot && ranges::find(its, slot) == its.end()) neighbors_.insert(other, slot);
     }
   }
 }
@@ -319,12 +320,12 @@ void NeighborList::find_changes(Slot slot) {
     std::vector<Slot> before(list.begin(), list.end());
     std::erase(before, slot);
     std::vector<Slot> now(near.begin(), near.end());
-    std::ranges::sort(before);
-    std::ranges::sort(now);
+    ranges::sort(before);
+    ranges::sort(now);
     gained_.clear();
     lost_.clear();
-    std::ranges::set_difference(now, before, std::back_inserter(gained_));
-    std::ranges::set_difference(before, now, std::back_inserter(lost_));
+    ranges::set_difference(now, before, std::back_inserter(gained_));
+    ranges::set_difference(before, now, std::back_inserter(lost_));
   }
   for (const Slot other : gained_) prefetch(neighbors_.address(other));
   for (const Slot other : lost_) prefetch(neighbors_.address(other));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hardball/geometry/vec3.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/block.hpp"
 
 namespace hardball {
@@ -28,8 +29,7 @@ class BlockDistances {
     constexpr std::size_t kStep = 4;
     count_ = (blocks.size() + kStep - 1) / kStep * kStep;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      if (std::ranges::none_of(blocks, [axis](const Block& block) { return block.is_divided(axis); }))
-        continue;
+      if (ranges::none_of(blocks, [axis](const Block& block) { return block.is_divided(axis); })) continue;
       Interval& interval = intervals_.emplace_back();
       interval.axis = axis;
       interval.low.assign(count_, -kInfinity);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -101,7 +102,7 @@ void Comparison::find_differing(const OwnershipMap& ownership, std::span<const G
     for (std::size_t next = next_[k]; next < records.size(); ++next)
       differing_.push_back(records[next].sphere);
   }
-  std::ranges::sort(differing_);
+  ranges::sort(differing_);
   differing_.erase(std::unique(differing_.begin(), differing_.end()), differing_.end());
 }
 
@@ -111,8 +112,7 @@ void Comparison::collect_references(std::span<const GhostRecord> own,
   references_.clear();
   if (differing_.empty()) return;
   const auto note = [this](std::uint32_t number, const PathRecord& record, const GhostRecord* noted) {
-    if (std::ranges::binary_search(differing_, record.sphere))
-      references_.push_back({number, &record, noted});
+    if (ranges::binary_search(differing_, record.sphere)) references_.push_back({number, &record, noted});
   };
   for (const Outbox* inbox : inboxes) {
     for (std::uint32_t number = 0; number < inbox->records.size(); ++number)
@@ -120,7 +120,7 @@ void Comparison::collect_references(std::span<const GhostRecord> own,
   }
   for (std::uint32_t number = 0; number < own.size(); ++number)
     note(number, own[number].record, &own[number]);
-  std::ranges::sort(references_, [](const Reference& a, const Reference& b) {
+  ranges::sort(references_, [](const Reference& a, const Reference& b) {
     if (a.record->sphere != b.record->sphere) return a.record->sphere < b.record->sphere;
     if ((a.own == nullptr) != (b.own == nullptr)) return a.own == nullptr;
     return a.number < b.number;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball {
 
 double Domain::verify(std::span<const Outbox* const> inboxes, double until) {
@@ -115,7 +117,7 @@ void Domain::remove_at(Slot slot, const Time& moment) {
 }
 
 std::uint32_t Domain::neighbor_number(DomainNumber domain) const {
-  const auto found = std::ranges::lower_bound(neighbors(), domain);
+  const auto found = ranges::lower_bound(neighbors(), domain);
   HARDBALL_CHECK(found != neighbors().end() && *found == domain);
   return static_cast<std::uint32_t>(found - neighbors().begin());
 }
@@ -235,7 +237,7 @@ void Domain::commit(const Time& moment) {
   // Those of a contact that is executed alone were set after the others were taken.
   take_wakeups(moment.high, [&](const BoundaryWatch::Wakeup& wakeup) { touched_.push_back(wakeup.slot); });
   taken_.clear();
-  std::ranges::sort(touched_);
+  ranges::sort(touched_);
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   for (std::size_t k = 0; k < touched_.size(); ++k) {
     constexpr std::size_t kAhead = 8;

@@ -8,6 +8,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/processes/bytes.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/pair_event.hpp"
 
 namespace hardball {
@@ -127,9 +128,8 @@ Event DomainGroup::next_contact(double end) {
 }
 
 bool DomainGroup::has_events() const {
-  const bool own =
-      std::ranges::any_of(domains_, [](const auto& domain) { return domain->engine().has_events(); });
-  return std::ranges::max(processes().gather(own ? 1 : 0)) == 1;
+  const bool own = ranges::any_of(domains_, [](const auto& domain) { return domain->engine().has_events(); });
+  return ranges::max(processes().gather(own ? 1 : 0)) == 1;
 }
 
 void DomainGroup::connect() {
@@ -234,7 +234,7 @@ double DomainGroup::time_before(std::uint64_t contacts) {
   std::vector<double> times;
   for (const std::string& part : processes().gather(bytes_of(own))) append_bytes(part, times);
   const auto last = times.begin() + static_cast<std::ptrdiff_t>(contacts - 1);
-  std::ranges::nth_element(times, last);
+  ranges::nth_element(times, last);
   return double_before(*last);
 }
 
@@ -268,7 +268,7 @@ Event DomainGroup::step(double end, bool executes) {
 }
 
 Event DomainGroup::earliest_peeked() {
-  Event earliest = *std::ranges::min_element(peeked_, std::less<Event>());
+  Event earliest = *ranges::min_element(peeked_, std::less<Event>());
   for (const Event& other : processes().gather(earliest)) earliest = std::min(earliest, other);
   return earliest;
 }
@@ -292,12 +292,12 @@ void DomainGroup::execute(const Event& next) {
     if (!own.exception || owns_first) own = failures[k];
   }
   const std::vector<std::string> all = processes().gather(own.message);
-  if (std::ranges::all_of(all, &std::string::empty)) return;
+  if (ranges::all_of(all, &std::string::empty)) return;
   const std::vector<char> own_first = processes().gather(static_cast<char>(owns_first));
   undo();
   if (all.size() == 1) std::rethrow_exception(own.exception);
-  auto told = std::ranges::find(own_first, 1) - own_first.begin();
-  if (told == std::ssize(all)) told = std::ranges::find_if_not(all, &std::string::empty) - all.begin();
+  auto told = ranges::find(own_first, 1) - own_first.begin();
+  if (told == std::ssize(all)) told = ranges::find_if_not(all, &std::string::empty) - all.begin();
   throw RunFailure(all[static_cast<std::size_t>(told)]);
 }
 

@@ -12,6 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/execution/follow.hpp"
 #include "hardball/processes/bytes.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/curve_order.hpp"
 #include "hardball/world/sphere_edit.hpp"
 
@@ -183,7 +184,7 @@ SphereTransfers DomainsEngine::near_others(const World& own, const Time& now) co
     processes.clear();
     for (const DomainNumber near : neighbors[partition().domain_at(position) % domains.each]) {
       const std::size_t process = domains.process_of(near);
-      if (process == processes_->rank() || std::ranges::find(processes, process) != processes.end()) continue;
+      if (process == processes_->rank() || ranges::find(processes, process) != processes.end()) continue;
       if (partition().block(near).distance(position) <= layout_.halo().depth) processes.push_back(process);
     }
   };
@@ -194,7 +195,7 @@ SphereTransfers DomainsEngine::near_others(const World& own, const Time& now) co
   }
   return sent(std::move(wanted), *processes_, [&](const SphereTransfer& transfer, const auto& send_to) {
     find_processes_near(position_of(transfer, now));
-    std::ranges::for_each(processes, send_to);
+    ranges::for_each(processes, send_to);
   });
 }
 
@@ -562,7 +563,7 @@ void DomainsEngine::gather_all() const {
   while (!all.empty()) {
     for (const SphereTransfer& transfer : all.take_some()) states.push_back(transfer.state);
   }
-  std::ranges::sort(states, {}, &SphereState::id);
+  ranges::sort(states, {}, &SphereState::id);
   world_.insert_all(states.size(), [&](std::size_t k) { return states[k]; });
   holds_all_ = true;
   take_changed([](const World&, Slot) {});

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -114,7 +115,7 @@ void Exchange::connect(std::span<const Member> members) {
     const Member& member = members[k];
     for (const DomainNumber neighbor : member.neighbors) {
       const auto local =
-          std::ranges::find_if(members, [&](const Member& other) { return other.number == neighbor; });
+          ranges::find_if(members, [&](const Member& other) { return other.number == neighbor; });
       if (local != members.end()) {
         inboxes_[k].push_back(&local->outbox_to(member.number));
         continue;
@@ -127,14 +128,14 @@ void Exchange::connect(std::span<const Member> members) {
   }
   for (Peer& peer : peers_) {
     for (std::vector<Link>* links : {&peer.outgoing, &peer.incoming}) {
-      std::ranges::sort(*links, {}, [](const Link& link) { return std::pair(link.from, link.to); });
+      ranges::sort(*links, {}, [](const Link& link) { return std::pair(link.from, link.to); });
     }
   }
   outgoing_.resize(peers_.size());
 }
 
 Exchange::Peer& Exchange::peer_with(std::size_t process) {
-  const auto place = std::ranges::lower_bound(ranks_, process);
+  const auto place = ranges::lower_bound(ranks_, process);
   const auto number = place - ranks_.begin();
   if (place == ranks_.end() || *place != process) {
     ranks_.insert(place, process);

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball {
 
 std::uint64_t Load::waited() const {
   const std::uint64_t all = std::accumulate(contacts.begin(), contacts.end(), std::uint64_t{0});
-  return contacts.size() * std::ranges::max(contacts) - all;
+  return contacts.size() * ranges::max(contacts) - all;
 }
 
 bool Load::is_uneven(std::uint64_t spheres) const {

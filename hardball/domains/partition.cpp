@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "hardball/geometry/extent.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -17,7 +18,7 @@ Extent extent_of(const Box& box, std::span<const Vec3> centers) {
       extent.low[axis] = 0;
       extent.high[axis] = box.size()[axis];
     } else if (!centers.empty()) {
-      const auto [low, high] = std::ranges::minmax(centers, {}, [axis](const Vec3& x) { return x[axis]; });
+      const auto [low, high] = ranges::minmax(centers, {}, [axis](const Vec3& x) { return x[axis]; });
       extent.low[axis] = low[axis];
       extent.high[axis] = high[axis];
     }
@@ -76,7 +77,7 @@ class EqualCounts {
     if (!centers_.empty()) {
       const auto middle =
           centers_.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(centers_.size()));
-      std::ranges::nth_element(centers_, middle, {}, [axis](const Vec3& x) { return x[axis]; });
+      ranges::nth_element(centers_, middle, {}, [axis](const Vec3& x) { return x[axis]; });
       place = (*middle)[axis];
     }
     // A block has an inside.

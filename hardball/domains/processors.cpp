@@ -3,7 +3,6 @@
 #include "hardball/domains/processors.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include <thread>
 
 #include "hardball/platform/processors.hpp"
+#include "hardball/standard/number_text.hpp"
 
 namespace hardball {
 namespace {
@@ -51,9 +51,9 @@ std::size_t processors_by_quota(std::string_view text, std::size_t processors) {
   std::uint64_t time = 0;
   std::uint64_t period = 0;
   const char* const end = text.data() + text.size();
-  const auto [gap, problem] = std::from_chars(text.data(), end, time);
+  const auto [gap, problem] = from_chars(text.data(), end, time);
   if (problem != std::errc() || gap == end || *gap != ' ') return processors;
-  if (std::from_chars(gap + 1, end, period).ec != std::errc() || period == 0) return processors;
+  if (from_chars(gap + 1, end, period).ec != std::errc() || period == 0) return processors;
   return std::clamp<std::size_t>(time / period, 1, processors);
 }
 

@@ -11,6 +11,7 @@
 
 #include "hardball/processes/bytes.hpp"
 #include "hardball/processes/processes.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/journal.hpp"
 #include "hardball/world/world.hpp"
 
@@ -36,11 +37,11 @@ class SphereTransfers {
   /// Calls visit(transfer) for each, in the order in which they were added.
   template <class Visit>
   void for_each(Visit&& visit) const {
-    for (const auto& piece : pieces_) std::ranges::for_each(piece, visit);
+    for (const auto& piece : pieces_) ranges::for_each(piece, visit);
   }
   template <class Visit>
   void for_each(Visit&& visit) {
-    for (auto& piece : pieces_) std::ranges::for_each(piece, visit);
+    for (auto& piece : pieces_) ranges::for_each(piece, visit);
   }
   /// Takes some of them out; none if there are none left.
   std::vector<SphereTransfer> take_some() {
@@ -63,7 +64,7 @@ class SphereTransfers {
 template <class Route>
 SphereTransfers sent(SphereTransfers transfers, Processes& processes, Route&& route) {
   SphereTransfers arrived;
-  while (std::ranges::max(processes.gather(transfers.size())) > 0) {
+  while (ranges::max(processes.gather(transfers.size())) > 0) {
     std::vector<std::string> outgoing(processes.size());
     for (const SphereTransfer& transfer : transfers.take_some())
       route(transfer, [&](std::size_t rank) { append_value(transfer, outgoing[rank]); });

@@ -12,6 +12,7 @@
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/time.hpp"
 #include "hardball/memory/prefetch.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
@@ -38,7 +39,7 @@ class Wakeups {
     buckets_per_time_ = std::min(kBuckets / (horizon - now), std::numeric_limits<double>::max());
     first_ = kBuckets - 1;
     for (std::vector<Wakeup>& bucket : buckets_) bucket.clear();
-    std::ranges::fill(standing_, kNone);
+    ranges::fill(standing_, kNone);
   }
   /// Sets a wakeup, unless the slot has an earlier one. Precondition: it is not beyond the horizon, and not
   /// before the start.

@@ -9,6 +9,7 @@
 
 #include "hardball/engine/engine_journal.hpp"
 #include "hardball/engine/prefetching.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -48,7 +49,7 @@ std::vector<Slot> rewind(Forecast& forecast, const Time& last_kept, const Time& 
     if (const std::optional<Slot> slot = world.find(sphere.id, sphere.slot)) slots.push_back(*slot);
   }
   for (const SphereId id : moved) slots.push_back(world.slot_of(id));
-  std::ranges::sort(slots);
+  ranges::sort(slots);
   slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
   for (const Slot slot : slots) {
     if (moved.empty() || !moved.contains(world.id(slot))) forecast.erase(slot);

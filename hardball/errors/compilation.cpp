@@ -3,13 +3,13 @@
 #include "hardball/errors/compilation.hpp"
 
 #include <atomic>
-#include <bit>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 namespace {
@@ -59,8 +59,7 @@ std::optional<Error> fault_of(const Compilation& source) {
                  source.source, "compile it without this option");
   }
   for (const Expectation& each : kExpectations) {
-    if (std::bit_cast<std::uint64_t>(source.*each.result) == std::bit_cast<std::uint64_t>(each.expected))
-      continue;
+    if (bit_cast<std::uint64_t>(source.*each.result) == bit_cast<std::uint64_t>(each.expected)) continue;
     return Error(
         std::string("the compiler ") + each.deed + ", so that results differ from those of other builds",
         source.source, std::string("compile it with ") + each.option + kRemedy);

@@ -3,9 +3,10 @@
 #include "hardball/errors/error.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "hardball/standard/number_text.hpp"
 
 namespace hardball {
 
@@ -39,7 +40,7 @@ std::string shortened(std::string_view text, std::size_t most) {
 std::string to_text(double number) {
   if (std::isnan(number)) return "nan";  // whose sign says nothing
   std::array<char, 32> buffer;
-  const auto [end, status] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
+  const auto [end, status] = to_chars(buffer.data(), buffer.data() + buffer.size(), number);
   HARDBALL_CHECK(status == std::errc());
   return std::string(buffer.data(), end);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hardball/events/event.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -17,7 +18,7 @@ class MergedSpheres {
   bool empty() const { return ids_.empty(); }
   /// A sphere has absorbed another.
   void record(SphereId id) {
-    if (std::ranges::find(ids_, id) == ids_.end()) ids_.push_back(id);
+    if (ranges::find(ids_, id) == ids_.end()) ids_.push_back(id);
   }
 
   /// A sphere is no more.
@@ -29,7 +30,7 @@ class MergedSpheres {
   template <class OverlapsOf, class Merge>
   bool coalesce(const World& world, OverlapsOf&& overlaps_of, Merge&& merge) {
     while (!ids_.empty()) {
-      const SphereId id = *std::ranges::min_element(ids_);
+      const SphereId id = *ranges::min_element(ids_);
       for (const Event& overlap : overlaps_of(world.slot_of(id))) {
         if (merge(overlap)) return true;
       }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -11,6 +10,7 @@
 
 #include "hardball/errors/language.hpp"
 #include "hardball/geometry/double_double.hpp"
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 
@@ -69,8 +69,8 @@ inline Time earlier(const Time& a, const Time& b) {
 /// The largest double below a finite number.
 inline double double_before(double number) {
   if (number == 0) return -std::numeric_limits<double>::denorm_min();
-  const auto bits = std::bit_cast<std::int64_t>(number);
-  return std::bit_cast<double>(number > 0 ? bits - 1 : bits + 1);
+  const auto bits = bit_cast<std::int64_t>(number);
+  return bit_cast<double>(number > 0 ? bits - 1 : bits + 1);
 }
 
 /// The largest double not after a time.
@@ -78,9 +78,9 @@ inline double rounded_down(const Time& time) {
   if (time.high == 0) [[unlikely]]
     return time.low < 0 ? double_before(0) : time.high;
   // Branchless: the sign of the low part is unpredictable.
-  const auto bits = std::bit_cast<std::int64_t>(time.high);
+  const auto bits = bit_cast<std::int64_t>(time.high);
   const std::int64_t step = (bits >> 63) | 1;
-  return std::bit_cast<double>(bits - (time.low < 0 ? step : 0));
+  return bit_cast<double>(bits - (time.low < 0 ? step : 0));
 }
 
 /// The time from `start` to `end` [T], accurate to two units in the last place of the result, or to 2^-106 of

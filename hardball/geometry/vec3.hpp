@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -87,7 +88,11 @@ struct Image {
   friend Image operator*(std::int32_t s, const Image& a) { return {{s * a[0], s * a[1], s * a[2]}}; }
   bool is_zero() const { return (boxes[0] | boxes[1] | boxes[2]) == 0; }
 
-  friend auto operator<=>(const Image&, const Image&) = default;
+  // Written out, as older libraries do not compare arrays.
+  friend std::strong_ordering operator<=>(const Image& a, const Image& b) {
+    if (a[0] != b[0]) return a[0] <=> b[0];
+    return a[1] != b[1] ? a[1] <=> b[1] : a[2] <=> b[2];
+  }
   // Member by member: a comparison by memcmp would stall on members just written.
   friend bool operator==(const Image& a, const Image& b) { return (a - b).is_zero(); }
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -49,11 +50,11 @@ void ResponseTable::set_wall(SpeciesId species, const Bounce& bounce) {
 }
 
 bool ResponseTable::has_merging() const {
-  return std::ranges::any_of(rules_, [](const Rule& rule) { return std::holds_alternative<Merging>(rule); });
+  return ranges::any_of(rules_, [](const Rule& rule) { return std::holds_alternative<Merging>(rule); });
 }
 
 bool ResponseTable::is_rough() const {
-  return std::ranges::any_of(rules_, [](const Rule& rule) {
+  return ranges::any_of(rules_, [](const Rule& rule) {
     const auto* const bounce = std::get_if<Bounce>(&rule);
     return bounce && bounce->rules().tangential_restitution;
   });
@@ -77,7 +78,7 @@ std::optional<double> ResponseTable::restitution() const {
 }
 
 bool ResponseTable::has_passing() const {
-  return std::ranges::any_of(
+  return ranges::any_of(
       of_pairs_, [this](std::uint32_t index) { return std::holds_alternative<Passing>(rules_[index]); });
 }
 
@@ -108,7 +109,7 @@ std::optional<Restitution> ResponseTable::one_for_all() const {
     const auto* const bounce = std::get_if<Bounce>(&rules_[index]);
     return bounce ? bounce->restitution() == one : std::holds_alternative<Passing>(rules_[index]);
   };
-  const bool is_one = one && std::ranges::all_of(of_pairs_, is_it) && std::ranges::all_of(of_walls_, is_it);
+  const bool is_one = one && ranges::all_of(of_pairs_, is_it) && ranges::all_of(of_walls_, is_it);
   return is_one ? one : std::nullopt;
 }
 
@@ -125,8 +126,8 @@ bool ResponseTable::restored() const {
   const auto is_bounce = [this](std::uint32_t index) {
     return index < rules_.size() && std::holds_alternative<Bounce>(rules_[index]);
   };
-  return of_pairs_.size() == rows * rows && of_walls_.size() == rows &&
-         std::ranges::all_of(of_pairs_, is_rule) && std::ranges::all_of(of_walls_, is_bounce);
+  return of_pairs_.size() == rows * rows && of_walls_.size() == rows && ranges::all_of(of_pairs_, is_rule) &&
+         ranges::all_of(of_walls_, is_bounce);
 }
 
 }  // namespace hardball

@@ -9,6 +9,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -81,8 +82,7 @@ TabulatedRestitution::TabulatedRestitution(std::vector<Point> points) : points_(
 }
 
 double TabulatedRestitution::at(double speed) const {
-  const auto above =
-      std::ranges::find_if(points_, [speed](const Point& point) { return point.speed > speed; });
+  const auto above = ranges::find_if(points_, [speed](const Point& point) { return point.speed > speed; });
   if (above == points_.begin()) return points_.front().value;
   if (above == points_.end()) return points_.back().value;
   const Point& below = *std::prev(above);

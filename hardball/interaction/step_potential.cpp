@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
@@ -90,10 +91,9 @@ bool StepTable::restored() {
   const auto is_number = [this](Number number) {
     return number == kNone || (number < potentials_.size() && !potentials_[number].is_tether());
   };
-  const bool is_sound = potentials_.size() <= kNone &&
-                        species_ <= std::numeric_limits<SpeciesId>::max() + std::size_t{1} &&
-                        of_pairs_.size() == species_ * species_ && is_number(for_all_) &&
-                        std::ranges::all_of(of_pairs_, is_number);
+  const bool is_sound =
+      potentials_.size() <= kNone && species_ <= std::numeric_limits<SpeciesId>::max() + std::size_t{1} &&
+      of_pairs_.size() == species_ * species_ && is_number(for_all_) && ranges::all_of(of_pairs_, is_number);
   if (is_sound) note_range();
   return is_sound;
 }

@@ -13,6 +13,7 @@
 #include "hardball/describe/field.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/species.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
@@ -118,7 +119,7 @@ class HARDBALL_EXPORT StepTable {
   bool empty() const { return potentials_.empty(); }
   /// Whether some potential is one of bonds. Cost: O(size).
   bool has_bonds() const {
-    return std::ranges::any_of(potentials_, [](const StepPotential& each) { return each.is_tether(); });
+    return ranges::any_of(potentials_, [](const StepPotential& each) { return each.is_tether(); });
   }
   std::size_t size() const { return potentials_.size(); }
   const StepPotential& operator[](Number number) const { return potentials_[number]; }

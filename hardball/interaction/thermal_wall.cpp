@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/interaction/thermal_wall.hpp"
 
-#include <bit>
 #include <cmath>
 
 #include "hardball/numbers/random.hpp"
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 namespace {
@@ -29,8 +29,8 @@ Vec3 axis_across(const Vec3& normal) {
 Vec3 rethermalized(const Contact& contact) {
   std::uint64_t key = mixed(contact.wall_material.seed, contact.first);
   key = mixed(key, contact.second);
-  key = mixed(key, std::bit_cast<std::uint64_t>(contact.time.high));
-  key = mixed(key, std::bit_cast<std::uint64_t>(contact.time.low));
+  key = mixed(key, bit_cast<std::uint64_t>(contact.time.high));
+  key = mixed(key, bit_cast<std::uint64_t>(contact.time.low));
   Random random(key);
   const double scale = std::sqrt(*contact.wall_material.temperature / contact.first_mass);
   const double away = scale * std::sqrt(-2 * portable_log(1 - random.uniform()));

@@ -3,13 +3,14 @@
 #include "hardball/io/npy_header.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <limits>
 #include <string_view>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/platform/little_endian.hpp"
+#include "hardball/standard/number_text.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -90,7 +91,7 @@ class Description {
   std::uint64_t number() {
     peek();
     std::uint64_t number = 0;
-    const auto [end, status] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), number);
+    const auto [end, status] = from_chars(text_.data() + at_, text_.data() + text_.size(), number);
     if (status != std::errc()) fail();
     at_ = static_cast<std::size_t>(end - text_.data());
     return number;
@@ -141,7 +142,7 @@ class Description {
     if (is_padding) {
       field.bytes = 1;
       shape.assign(1, 0);
-      if (std::from_chars(type.data() + 2, type.data() + type.size(), shape[0]).ec != std::errc()) fail();
+      if (from_chars(type.data() + 2, type.data() + type.size(), shape[0]).ec != std::errc()) fail();
     } else {
       field = field_of(type);
     }
@@ -165,7 +166,7 @@ class Description {
 }  // namespace
 
 const NpyField* NpyHeader::find(std::string_view name) const {
-  const auto found = std::ranges::find(fields, name, &NpyField::name);
+  const auto found = ranges::find(fields, name, &NpyField::name);
   return found == fields.end() ? nullptr : &*found;
 }
 
@@ -195,7 +196,7 @@ NpyHeader read_npy_header(const std::filesystem::path& path) {
   // No item is without bytes, so that the length of the file bounds their number.
   if (header.item_bytes == 0) refuse_array(name, "the items of the array are empty");
   std::uint64_t items_left = (length - header.offset) / header.item_bytes;
-  if (std::ranges::find(header.shape, 0U) != header.shape.end()) return header;
+  if (ranges::find(header.shape, 0U) != header.shape.end()) return header;
   for (const std::uint64_t extent : header.shape) {
     if (extent > items_left) refuse_array(name, "the file is shorter than its header says");
     items_left /= extent;

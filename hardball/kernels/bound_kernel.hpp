@@ -3,12 +3,12 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
 #include "hardball/kernels/compact_path.hpp"
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 
@@ -43,16 +43,15 @@ struct BoundKeys {
   static constexpr std::size_t kMax = 64;
   static constexpr std::uint32_t kIndex = kMax - 1;
   /// The key of a candidate that will not touch; any greater number means that, too.
-  static constexpr std::uint32_t kForever =
-      std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
+  static constexpr std::uint32_t kForever = bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
 
   static bool touches(std::uint32_t key) { return key < kForever; }
   /// [T], in units; infinite if the candidate will not touch.
-  static float wait(std::uint32_t key) { return std::bit_cast<float>(key & ~kIndex); }
+  static float wait(std::uint32_t key) { return bit_cast<float>(key & ~kIndex); }
   static std::size_t index(std::uint32_t key) { return key & kIndex; }
   /// A key above those of all waits up to this one.
   static std::uint32_t above(float wait) {
-    const std::uint32_t above = (std::bit_cast<std::uint32_t>(wait) | kIndex) + 1;
+    const std::uint32_t above = (bit_cast<std::uint32_t>(wait) | kIndex) + 1;
     return above < kForever ? above : kForever;
   }
 

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <cstring>
 
 #include "hardball/errors/language.hpp"
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 
@@ -30,7 +30,7 @@ struct alignas(32) CompactPath {
     using Integers = std::int32_t __attribute__((vector_size(16)));
     using Floats = float __attribute__((vector_size(16)));
     const Integers first{new_place[0], new_place[1], new_place[2], new_tick};
-    const Floats second{new_velocity[0], new_velocity[1], new_velocity[2], std::bit_cast<float>(revision)};
+    const Floats second{new_velocity[0], new_velocity[1], new_velocity[2], bit_cast<float>(revision)};
     std::memcpy(position.data(), &first, sizeof first);
     std::memcpy(velocity.data(), &second, sizeof second);
   }

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -8,6 +7,7 @@
 #include "hardball/kernels/contact_kernel_body.hpp"
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/kernels/near_kernel_body.hpp"
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 namespace {
@@ -180,8 +180,8 @@ struct Floats {
     out.z = position.c;
     out.tick = position.d;
     const Four velocity = transposed(paths, at, 4);
-    out.velocity = {std::bit_cast<Vector>(velocity.a.v), std::bit_cast<Vector>(velocity.b.v),
-                    std::bit_cast<Vector>(velocity.c.v)};
+    out.velocity = {bit_cast<Vector>(velocity.a.v), bit_cast<Vector>(velocity.b.v),
+                    bit_cast<Vector>(velocity.c.v)};
     out.revision = velocity.d;
   }
 
@@ -237,7 +237,7 @@ Floats to_floats(const Floats::Integers& a) {
   return __builtin_convertvector(reinterpret_cast<const Floats::Bits&>(a.v), Floats::Vector);
 }
 Floats::Integers bits_of(const Floats& a) {
-  return std::bit_cast<Floats::Integers::Unsigned>(a.v);
+  return bit_cast<Floats::Integers::Unsigned>(a.v);
 }
 template <int count>
 Floats::Integers shifted_right(const Floats::Integers& a) {

@@ -12,6 +12,7 @@
 
 #include "hardball/measure/reasons.hpp"
 #include "hardball/numbers/no_number.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
@@ -56,7 +57,7 @@ const char* objection_to_diffusion(const Scene& scene) {
 
 // The lag that is half as long as another; none if it is not among them.
 std::optional<std::size_t> half_lag(std::span<const double> lags, std::size_t lag) {
-  const auto half = std::ranges::lower_bound(lags, lags[lag] / 2);
+  const auto half = ranges::lower_bound(lags, lags[lag] / 2);
   if (half == lags.end() || *half != lags[lag] / 2 || *half == 0) return std::nullopt;
   return static_cast<std::size_t>(half - lags.begin());
 }

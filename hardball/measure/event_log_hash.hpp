@@ -9,6 +9,7 @@
 
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 
@@ -54,7 +55,7 @@ class EventLogHash {
     return kStep * (1 + 4 * (std::uint64_t{step.step} + 256 * std::uint64_t{step.potential}) + side);
   }
   static std::uint64_t product(double number, std::uint64_t factor, int turn) {
-    return std::rotl(std::bit_cast<std::uint64_t>(number) * factor, turn);
+    return std::rotl(bit_cast<std::uint64_t>(number) * factor, turn);
   }
   // Source: Steele, Lea and Flood, OOPSLA (2014) 453, the finaliser of SplitMix.
   static std::uint64_t mixed(std::uint64_t word) {

@@ -13,6 +13,7 @@
 
 #include "hardball/measure/units.hpp"
 #include "hardball/numbers/no_number.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/images.hpp"
 
 namespace hardball {
@@ -200,7 +201,7 @@ bool DensityProfiles::restored() const {
   const auto is_within = [this](std::size_t bins) { return bins <= most_bins_; };
   const std::span<const std::size_t> used = std::span(bins_).first(box_.dimensions());
   return most_bins_ <= static_cast<std::size_t>(kMaxBins) && average_.has(first_at_walls() + kAtWalls) &&
-         std::ranges::all_of(bins_, is_within) && std::ranges::find(used, 0U) == used.end() &&
+         ranges::all_of(bins_, is_within) && ranges::find(used, 0U) == used.end() &&
          bin_width_ * kMaxBins >= std::max({box_.size().x, box_.size().y, box_.size().z});
 }
 
@@ -251,7 +252,7 @@ void FlowProfiles::sample(const Scene& scene) {
 void FlowProfiles::add_profiles(Measurement& found, const BlockAverage& average, std::size_t axis) const {
   const std::string at = std::string("_at_") + kAxisNames[axis];
   const double width = slab_width(axis);
-  const std::size_t rows = *std::ranges::max_element(slabs_);
+  const std::size_t rows = *ranges::max_element(slabs_);
   std::vector<double> positions = bin_middles(margin(axis), width, slabs_[axis]);
   positions.resize(rows, kNoNumber);
   found.add_argument(kAxisNames[axis], "L", std::move(positions));
@@ -315,7 +316,7 @@ void FlowProfiles::add_results(const Scene& scene, Measurement& found) const {
 
 bool FlowProfiles::restored() const {
   const auto is_possible = [](std::size_t slabs) { return slabs <= kMaxSlabs; };
-  if (!std::ranges::all_of(slabs_, is_possible) || !average_.has(bins())) return false;
+  if (!ranges::all_of(slabs_, is_possible) || !average_.has(bins())) return false;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const bool is_measured = is_driven(box_, axis) && least_radius_ >= 0 && slab_width(axis) > 0;
     if (slabs_[axis] > 0 && !is_measured) return false;

@@ -10,6 +10,7 @@
 
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/numbers/no_number.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -195,7 +196,7 @@ bool RadialDistribution::restored() const {
   const std::size_t species = is_by_species_ ? species_.size() : 1;
   const auto is_kind = [this](std::size_t kind) { return kind < kinds_.size(); };
   return species <= kMaxSpecies && kinds_.size() <= kMaxSpecies * kMaxSpecies &&
-         kind_of_.size() == species * species && std::ranges::all_of(kind_of_, is_kind) &&
+         kind_of_.size() == species * species && ranges::all_of(kind_of_, is_kind) &&
          bins_ <= average_.bins() && average_.has(pairs_bin(kinds_.size()), kSphereGroups) && low_ >= 0 &&
          bin_width_ > 0;
 }

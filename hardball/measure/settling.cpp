@@ -11,6 +11,7 @@
 
 #include "hardball/measure/bonds.hpp"
 #include "hardball/measure/reasons.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/statistics/transient.hpp"
 
 namespace hardball {
@@ -82,7 +83,7 @@ std::optional<std::size_t> blocks_until_settled(std::span<const double> history,
   for (const double value : late) squares += (value - mean) * (value - mean);
   const double deviation = std::sqrt(squares / static_cast<double>(late.size() - 1));
   const auto is_reached = [&](double value) { return start > mean ? value <= mean : value >= mean; };
-  const auto reached = std::ranges::find_if(history, is_reached);
+  const auto reached = ranges::find_if(history, is_reached);
   auto blocks = static_cast<std::size_t>(reached - history.begin());
   for (std::size_t block = 0; block < half; ++block) {
     if (std::fabs(history[block] - mean) > kDeviations * deviation) blocks = std::max(blocks, block + 1);
@@ -212,7 +213,7 @@ Settled Settling::found(const Scene& scene) const {
   };
   if (must_leave_places_) {
     const std::vector<double> overlap = history_.history(mean_of(kOverlap));
-    const auto left = std::ranges::find_if(overlap, [](double value) { return value < kForgotten; });
+    const auto left = ranges::find_if(overlap, [](double value) { return value < kForgotten; });
     const std::size_t blocks = static_cast<std::size_t>(left - overlap.begin()) + 1;
     end_after(left == overlap.end() ? std::nullopt : std::optional(blocks),
               is_crystal_ ? kStillCrystal : kStillInPlace);
@@ -268,7 +269,7 @@ bool Settling::is_drifting(const FunctionOfMeans& temperature, const ThermalMoti
 
 bool Settling::restored() const {
   const auto is_mode = [&](const Mode& mode) { return mode.axis < kAxes && mode.species <= species_.size(); };
-  return places_.size() <= kMostFollowed && std::ranges::all_of(modes_, is_mode) &&
+  return places_.size() <= kMostFollowed && ranges::all_of(modes_, is_mode) &&
          starts_.size() == modes_.size() + (is_crystal_ ? 1 : 0) && history_.has(kOrders + starts_.size()) &&
          reach_ >= 0 && std::isfinite(reach_) && sample_cost_ >= 0;
 }

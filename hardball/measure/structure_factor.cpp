@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "hardball/measure/fluid_structure.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -205,7 +206,7 @@ void StructureFactor::add_results(const Scene& scene, Measurement& found) const 
   const std::vector<Estimate> factors =
       tabulated(rows, [&](std::size_t shell) { return shells.ratio(shell); });
   if (shells_.samples() > 0) {
-    const auto highest = std::ranges::max_element(factors, {}, &Estimate::value);
+    const auto highest = ranges::max_element(factors, {}, &Estimate::value);
     // Without structure the largest of many values is one, within errors; and where these are not known, the
     // intensity of a single vector is distributed exponentially.
     constexpr double kErrors = 4;
@@ -237,10 +238,10 @@ bool StructureFactor::restored() const {
     return is_short;
   };
   const bool is_bounded =
-      std::ranges::all_of(longest_, [](int most) { return most >= 0 && most <= 2 * kMaxPeriods; });
-  return is_bounded && std::ranges::all_of(waves_, is_within) && std::ranges::is_sorted(shell_ends_) &&
+      ranges::all_of(longest_, [](int most) { return most >= 0 && most <= 2 * kMaxPeriods; });
+  return is_bounded && ranges::all_of(waves_, is_within) && ranges::is_sorted(shell_ends_) &&
          waves_.size() == (shell_ends_.empty() ? 0 : shell_ends_.back()) &&
-         std::ranges::adjacent_find(shell_ends_) == shell_ends_.end() &&
+         ranges::adjacent_find(shell_ends_) == shell_ends_.end() &&
          (shell_ends_.empty() || shell_ends_.front() > 0) && shells_.has(shell_ends_.size());
 }
 

@@ -11,6 +11,7 @@
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/measure/angular_impulse.hpp"
 #include "hardball/measure/energy_gain.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -218,7 +219,7 @@ bool Tally::restored() {
       walls_[wall].angular_impulse.fill(ExactSum(std::numeric_limits<double>::quiet_NaN()));
   }
   return first_groups_.size() > kFaces && first_groups_.front() == 0 &&
-         first_groups_.back() == walls_.size() && std::ranges::is_sorted(first_groups_, std::less_equal());
+         first_groups_.back() == walls_.size() && ranges::is_sorted(first_groups_, std::less_equal());
 }
 
 bool Tally::matches(const World& world) const {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
@@ -134,16 +135,15 @@ bool TimeCorrelation::restored() const {
   };
   return (interval_ > 0 || spheres == 0) && tick_ >= -1 && levels_.size() <= kLevels && shape_.products > 0 &&
          shape_.products <= kMaxProducts && vectors_.size() == spheres * shape_.vectors &&
-         groups_.size() <= kMaxGroups * SpeciesList::kMaxSpecies &&
-         std::ranges::all_of(followed_, is_index) && std::ranges::all_of(groups_, is_group) &&
-         std::ranges::all_of(levels_, is_level) && origins_.size() == lags &&
+         groups_.size() <= kMaxGroups * SpeciesList::kMaxSpecies && ranges::all_of(followed_, is_index) &&
+         ranges::all_of(groups_, is_group) && ranges::all_of(levels_, is_level) && origins_.size() == lags &&
          sums_.size() == lags * groups_.size() * shape_.products;
 }
 
 bool TimeCorrelation::matches(const World& world) const {
   if (followed_.empty()) return true;
   return species_.matches(world) &&
-         std::ranges::all_of(followed_, [&](const Followed& one) { return one.rank < world.size(); });
+         ranges::all_of(followed_, [&](const Followed& one) { return one.rank < world.size(); });
 }
 
 }  // namespace hardball

@@ -10,6 +10,7 @@
 #include "hardball/measure/reasons.hpp"
 #include "hardball/measure/sampling_schedule.hpp"
 #include "hardball/numbers/no_number.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
@@ -348,7 +349,7 @@ void SelfDiffusion::add_results(const Scene& scene, Measurement& found) const {
 
 bool SelfDiffusion::matches(const World& world) const {
   return conditions_.species.matches(world) &&
-         std::ranges::all_of(ranks_, [&](std::size_t rank) { return rank < world.size(); });
+         ranges::all_of(ranks_, [&](std::size_t rank) { return rank < world.size(); });
 }
 
 }  // namespace hardball

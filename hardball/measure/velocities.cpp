@@ -13,6 +13,7 @@
 
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/numbers/no_number.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/images.hpp"
 #include "hardball/world/totals.hpp"
 
@@ -240,7 +241,7 @@ void VelocityDistribution::add_results(const Scene& scene, Measurement& found) c
             tolerance);
   // There are no negative speeds.
   std::vector<Estimate> speeds(kBins / 2);
-  std::ranges::copy(average.histogram(kSpeeds, kBins / 2, kSpheres) / kWidth, std::back_inserter(speeds));
+  ranges::copy(average.histogram(kSpeeds, kBins / 2, kSpheres) / kWidth, std::back_inserter(speeds));
   const auto edge = [](std::size_t bin) { return (static_cast<double>(bin) - kBins / 2) * kWidth; };
   found.add_argument("reduced_velocity", "1",
                      tabulated(kBins, [&](std::size_t bin) { return (edge(bin) + edge(bin + 1)) / 2; }));

@@ -18,6 +18,7 @@
 #include "hardball/measure/reasons.hpp"
 #include "hardball/measure/units.hpp"
 #include "hardball/numbers/no_number.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -49,7 +50,7 @@ std::string plain(std::string_view name) {
   const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
   };
-  std::ranges::replace_if(
+  ranges::replace_if(
       text, [&](char c) { return !is_plain(c); }, '_');
   return text;
 }
@@ -279,13 +280,13 @@ bool WallForces::restored() {
   }
   const auto is_index = [this](std::size_t index) { return walls_.empty() || index < walls_.size(); };
   const auto is_wall = [this](std::uint32_t wall) { return wall < indices_.size(); };
-  constexpr std::size_t kMostParts = std::size_t{1} << 40;
+  constexpr std::uint64_t kMostParts = std::uint64_t{1} << 40;
   return first_parts_.size() == walls_.size() + 1 && first_parts_.front() == 0 &&
-         std::ranges::is_sorted(first_parts_, std::less_equal()) && parts() < kMostParts &&
+         ranges::is_sorted(first_parts_, std::less_equal()) && parts() < kMostParts &&
          offsets_.size() == walls_.size() && faces_.size() == walls_.size() &&
          average_.has(kBins * parts() + 1) && along_.has(kAxes * parts()) &&
-         (vectors_.has(kVectorBins * parts()) || vectors_.has(0)) &&
-         std::ranges::all_of(indices_, is_index) && std::ranges::all_of(walls_, is_wall);
+         (vectors_.has(kVectorBins * parts()) || vectors_.has(0)) && ranges::all_of(indices_, is_index) &&
+         ranges::all_of(walls_, is_wall);
 }
 
 }  // namespace hardball

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
@@ -13,7 +14,7 @@ void* PageArena::allocate(std::size_t bytes) {
   const std::size_t room = room_for(bytes);
   HARDBALL_CHECK(room <= block_bytes_);
   const std::scoped_lock lock(mutex_);
-  auto gap = std::ranges::find_if(gaps_, [&](const auto& each) { return each.second >= room; });
+  auto gap = ranges::find_if(gaps_, [&](const auto& each) { return each.second >= room; });
   if (gap == gaps_.end()) {
     char* const block = static_cast<char*>(allocate_block_(block_bytes_));
     blocks_.emplace(block, 0);

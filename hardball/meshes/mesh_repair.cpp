@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hardball/geometry/nearest_point.hpp"
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 namespace {
@@ -152,7 +153,7 @@ void weld_equal_vertices(MeshParts& parts, MeshReport& report) {
   FirstAlike first(
       vertices.size(),
       [&](std::uint32_t i) {
-        const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+        const auto bits = [](double number) { return bit_cast<std::uint64_t>(number); };
         return mixed(mixed(bits(vertices[i].x), bits(vertices[i].y)), bits(vertices[i].z));
       },
       [&](std::uint32_t i, std::uint32_t k) { return vertices[i] == vertices[k]; });
@@ -171,7 +172,7 @@ void weld_near_vertices(MeshParts& parts, double distance, MeshReport& report) {
                 std::floor(place.z / distance)};
   };
   const auto hash = [](const Cell& cell) {
-    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number + 0.0); };
+    const auto bits = [](double number) { return bit_cast<std::uint64_t>(number + 0.0); };
     return static_cast<std::size_t>(mixed(mixed(bits(cell[0]), bits(cell[1])), bits(cell[2])));
   };
   // Vertices that stand for themselves are no closer to each other, so that a cell has few.

@@ -7,12 +7,13 @@
 
 #include "hardball/io/read_file.hpp"
 #include "hardball/meshes/words.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
 HeightField read_height_field(const std::filesystem::path& path) {
   std::string text = read_file(path);
-  std::ranges::replace(text, ',', ' ');
+  ranges::replace(text, ',', ' ');
   HeightField field;
   Words words(text, path.string());
   while (words.next_line()) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/meshes/read_mesh.hpp"
 #include "hardball/meshes/words.hpp"
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 namespace {
@@ -123,8 +123,8 @@ class Numbers {
     }
     bytes_.remove_prefix(type.bytes);
     if (type.is_real) {
-      return type.bytes == 8 ? std::bit_cast<double>(bits)
-                             : double{std::bit_cast<float>(static_cast<std::uint32_t>(bits))};
+      return type.bytes == 8 ? bit_cast<double>(bits)
+                             : double{bit_cast<float>(static_cast<std::uint32_t>(bits))};
     }
     const std::uint64_t sign = std::uint64_t{1} << (8 * type.bytes - 1);
     const bool is_negative = type.is_signed && (bits & sign) != 0;

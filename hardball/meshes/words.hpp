@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/platform/from_chars.hpp"
+#include "hardball/standard/number_text.hpp"
 
 namespace hardball {
 
@@ -65,7 +65,7 @@ class Words {
     // Some writers put a sign before positive numbers.
     if (word.starts_with('+')) word.remove_prefix(1);
     Number number{};
-    const auto [end, failure] = platform::from_chars(word.data(), word.data() + word.size(), number);
+    const auto [end, failure] = from_chars(word.data(), word.data() + word.size(), number);
     if (failure != std::errc() || end != word.data() + word.size() || word.empty())
       fail("'" + std::string(word.substr(0, 40)) + "' is not a number");
     return number;

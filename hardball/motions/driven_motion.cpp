@@ -11,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/double_double.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -40,22 +41,22 @@ DrivenMotion::DrivenMotion(std::string name, PrescribedMotion motion, std::vecto
       spheres_(std::move(spheres)),
       surfaces_(std::move(surfaces)),
       knots_(motion_, 0) {
-  std::ranges::sort(spheres_);
-  std::ranges::sort(surfaces_);
+  ranges::sort(spheres_);
+  ranges::sort(surfaces_);
 }
 
 bool DrivenMotion::drives(SphereId sphere) const {
-  return std::ranges::binary_search(spheres_, sphere);
+  return ranges::binary_search(spheres_, sphere);
 }
 
 void DrivenMotion::check_bodies(const World& world) const {
   const std::string where = "motion " + name_;
   if (spheres_.empty() && surfaces_.empty())
     throw Error("the motion drives nothing", where, "name kinematic spheres or surfaces");
-  const auto twice = std::ranges::adjacent_find(spheres_);
+  const auto twice = ranges::adjacent_find(spheres_);
   if (twice != spheres_.end())
     throw Error("sphere " + to_text(*twice) + " is given twice", where, "give each sphere once");
-  const auto surface_twice = std::ranges::adjacent_find(surfaces_);
+  const auto surface_twice = ranges::adjacent_find(surfaces_);
   if (surface_twice != surfaces_.end())
     throw Error("surface " + to_text(*surface_twice) + " is given twice", where, "give each surface once");
   for (const SphereId id : spheres_) {
@@ -175,7 +176,7 @@ void DrivenMotion::act(const World& world, const Time& moment, std::vector<NewPl
 }
 
 void DrivenMotion::note_removed(SphereId sphere) {
-  const auto found = std::ranges::lower_bound(spheres_, sphere);
+  const auto found = ranges::lower_bound(spheres_, sphere);
   if (found == spheres_.end() || *found != sphere) return;
   places_.erase(places_.begin() + (found - spheres_.begin()));
   spheres_.erase(found);
@@ -184,7 +185,7 @@ void DrivenMotion::note_removed(SphereId sphere) {
 
 bool DrivenMotion::restored() {
   if (spheres_.size() != places_.size() || surfaces_.size() != points_.size()) return false;
-  if (!std::ranges::is_sorted(spheres_) || !std::ranges::is_sorted(surfaces_)) return false;
+  if (!ranges::is_sorted(spheres_) || !ranges::is_sorted(surfaces_)) return false;
   check_moment(begin_, "motion");
   if (!(acceleration_ >= 0)) return false;
   for (const Vec3& place : places_) {

@@ -14,6 +14,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/motions/check_motion.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/trajectory/text_lines.hpp"
 
 namespace hardball {
@@ -53,7 +54,7 @@ void check_joint(const std::vector<Keyframe>& rows) {
 // Turns what may stand between numbers into blanks.
 std::string spaced(std::string_view line) {
   std::string text(line);
-  std::ranges::replace_if(
+  ranges::replace_if(
       text, [](char c) { return c == ',' || c == ';'; }, ' ');
   return text;
 }

@@ -7,21 +7,21 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
 bool MotionSchedule::drives(SphereId sphere) const {
-  return std::ranges::any_of(motions_, [&](const DrivenMotion& motion) { return motion.drives(sphere); });
+  return ranges::any_of(motions_, [&](const DrivenMotion& motion) { return motion.drives(sphere); });
 }
 
 bool MotionSchedule::drives_surface(std::uint32_t number) const {
-  return std::ranges::any_of(motions_, [&](const DrivenMotion& motion) {
-    return std::ranges::binary_search(motion.surfaces(), number);
-  });
+  return ranges::any_of(
+      motions_, [&](const DrivenMotion& motion) { return ranges::binary_search(motion.surfaces(), number); });
 }
 
 bool MotionSchedule::drives_surfaces() const {
-  return std::ranges::any_of(motions_, [](const DrivenMotion& motion) { return !motion.surfaces().empty(); });
+  return ranges::any_of(motions_, [](const DrivenMotion& motion) { return !motion.surfaces().empty(); });
 }
 
 void MotionSchedule::add(DrivenMotion motion, const World& world, const Time& now) {
@@ -51,15 +51,15 @@ void MotionSchedule::act(const World& world, const Time& moment) {
   for (DrivenMotion& motion : motions_) {
     if (motion.next() == now) motion.act(world, moment, places_, surfaces_);
   }
-  std::ranges::sort(places_, {}, &NewPlace::id);
+  ranges::sort(places_, {}, &NewPlace::id);
 }
 
 bool MotionSchedule::fits(const Setting& setting, const Time& now) const {
   const auto exists = [&](std::uint32_t number) {
     return number >= kFaces && number - kFaces < setting.surfaces().size();
   };
-  return next() >= now.value() && std::ranges::all_of(motions_, [&](const DrivenMotion& motion) {
-           return std::ranges::all_of(motion.surfaces(), exists);
+  return next() >= now.value() && ranges::all_of(motions_, [&](const DrivenMotion& motion) {
+           return ranges::all_of(motion.surfaces(), exists);
          });
 }
 

@@ -3,8 +3,11 @@
 #include "hardball/numbers/exact_sum.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -107,7 +110,7 @@ void ExactSum::trim() {
     digits_.pop_back();
     if (below >= kHalfDigit) digits_.back() -= kDigitMask + 1;
   }
-  const auto nonzero = std::ranges::find_if(digits_, [](std::int64_t digit) { return digit != 0; });
+  const auto nonzero = ranges::find_if(digits_, [](std::int64_t digit) { return digit != 0; });
   first_ += static_cast<std::uint32_t>(nonzero - digits_.begin());
   digits_.erase(digits_.begin(), nonzero);
   if (digits_.empty()) first_ = 0;

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 
@@ -29,7 +29,7 @@ class HARDBALL_EXPORT ExactSum {
   /// Adds a number. Cost: some 10 instructions for most numbers of similar magnitude and one sign, some 50
   /// for others.
   ExactSum& operator+=(double number) {
-    const auto bits = std::bit_cast<std::uint64_t>(number);
+    const auto bits = bit_cast<std::uint64_t>(number);
     const std::uint32_t bin = sign_and_exponent(bits) - window_;
     if (bin >= kBins) [[unlikely]] {
       if (number != 0) add_outside(bits);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball {
 namespace {
 
@@ -44,7 +46,7 @@ void find_rattlers(ContactNetwork& network, std::size_t spheres, std::size_t lea
       });
     }
   }
-  network.backbone_contacts = static_cast<std::size_t>(std::ranges::count(is_lost, false));
+  network.backbone_contacts = static_cast<std::size_t>(ranges::count(is_lost, false));
 }
 
 }  // namespace

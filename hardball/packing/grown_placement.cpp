@@ -13,6 +13,7 @@
 #include "hardball/packing/protocol.hpp"
 #include "hardball/packing/random_start.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/walls.hpp"
 
@@ -110,7 +111,7 @@ std::vector<Vec3> place_by_growth(const World& empty, const Region& region, std:
       "enlarge the box, use fewer or smaller spheres, or start from a packing of "
       "'hardball pack'";
   if (!(fraction > 0 && fraction <= kMostOfJamming * jammed)) {
-    const bool are_equal = std::ranges::min(radii) == std::ranges::max(radii);
+    const bool are_equal = ranges::min(radii) == ranges::max(radii);
     const char* const lattice = !are_equal        ? ""
                                 : dimensions == 2 ? "use placement = \"hexagonal\", which reaches 0.9, "
                                                   : "use placement = \"fcc\", which reaches 0.74, ";

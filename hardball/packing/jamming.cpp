@@ -10,6 +10,8 @@
 #include <queue>
 #include <vector>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball {
 namespace {
 
@@ -19,7 +21,7 @@ std::vector<double> chords(std::span<const double> radii) {
   constexpr std::size_t kChords = 1 << 14;
   constexpr double kGolden = 0.6180339887498949;
   std::vector<double> sorted(radii.begin(), radii.end());
-  std::ranges::sort(sorted);
+  ranges::sort(sorted);
   double all = 0;
   for (const double radius : sorted) all += radius * radius;
   std::vector<double> lengths(kChords);
@@ -53,7 +55,7 @@ SizeStatistics statistics_of(std::span<const double> radii, std::size_t dimensio
   sizes.mean_volume = volume / count;
   sizes.deviation = std::sqrt(square);
   std::vector<double> sorted(radii.begin(), radii.end());
-  std::ranges::sort(sorted, std::greater());
+  ranges::sort(sorted, std::greater());
   sizes.largest = sorted.front();
   double held = 0;
   while (held < volume / 2 && sizes.half_of_volume < sorted.size())
@@ -65,11 +67,11 @@ double jamming_in_bulk(std::span<const double> radii, std::size_t dimensions) {
   constexpr double kSpheres = 0.644;
   constexpr double kDiscs = 0.843;
   if (dimensions == 2) return kDiscs;
-  const auto [smallest, largest] = std::ranges::minmax(radii);
+  const auto [smallest, largest] = ranges::minmax(radii);
   constexpr double kEqual = 1e-9;
   if (largest - smallest <= kEqual * largest) return kSpheres;
   std::vector<double> rods = chords(radii);
-  std::ranges::sort(rods, std::greater());
+  ranges::sort(rods, std::greater());
   // The gap beside a rod over its length, with which equal spheres are as dense as they jam.
   constexpr double kGap = 0.7638;
   std::priority_queue<double> gaps;

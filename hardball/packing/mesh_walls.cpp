@@ -9,6 +9,7 @@
 
 #include "hardball/geometry/extent.hpp"
 #include "hardball/geometry/nearest_point.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/box.hpp"
 
 namespace hardball {
@@ -149,15 +150,15 @@ void MeshWalls::for_each_near(const Vec3& center, double within,
         for (const std::uint32_t vertex : mesh_->triangles()[triangle]) vertices.push_back(vertex);
       });
   for (auto* features : {&edges, &vertices}) {
-    std::ranges::sort(*features);
+    ranges::sort(*features);
     features->erase(std::unique(features->begin(), features->end()), features->end());
   }
   for (const std::uint32_t edge : edges) note(near.edge(edge));
   for (const std::uint32_t vertex : vertices) note(near.vertex(vertex));
-  std::ranges::stable_sort(walls, {}, &NearWall::number);
+  ranges::stable_sort(walls, {}, &NearWall::number);
   std::vector<NearWall> apart;
   for (const NearWall& wall : walls) {
-    const auto same = std::ranges::find_if(apart, [&](const NearWall& other) {
+    const auto same = ranges::find_if(apart, [&](const NearWall& other) {
       return length(other.separation - wall.separation) < kDistinct * within;
     });
     if (same == apart.end()) {

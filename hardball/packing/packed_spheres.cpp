@@ -13,6 +13,7 @@
 #include "hardball/numbers/exact_sum.hpp"
 #include "hardball/packing/fine.hpp"
 #include "hardball/packing/mesh_walls.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/static_hash_grid.hpp"
 
 namespace hardball {
@@ -67,7 +68,7 @@ void PackedSpheres::for_each_near(double gap, const Function<void(const NearPair
   const Box box = container.box();
   std::vector<std::uint32_t> order(size());
   std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return radii[a] > radii[b]; });
+  ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return radii[a] > radii[b]; });
   const double wider = 1 + gap;
   StaticHashGrid grid(box, size(), wider * radii[order.front()]);
   for (const std::uint32_t sphere : order) grid.insert(positions[sphere], wider * radii[sphere]);
@@ -104,8 +105,8 @@ void PackedSpheres::for_each_near(double gap, const Function<void(const NearPair
                 .reach = radius + radii[second]},
                length_of(vector));
         });
-    std::ranges::sort(found, {},
-                      [](const NearPair& pair) { return std::pair(pair.bodies.second, pair.bodies.image); });
+    ranges::sort(found, {},
+                 [](const NearPair& pair) { return std::pair(pair.bodies.second, pair.bodies.image); });
     for (Face face = 0; face < kFaces; ++face) {
       if (!box.is_wall(face / 2)) continue;
       const Fine distance = distance_to_face(container, face, positions[first]);

@@ -13,6 +13,7 @@
 #include "hardball/packing/jamming.hpp"
 #include "hardball/packing/protocol.hpp"
 #include "hardball/packing/random_start.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/totals.hpp"
 #include "hardball/world/walls.hpp"
 
@@ -188,7 +189,7 @@ bool Packer::is_near_end() const {
 }
 
 void Packer::open_window() {
-  std::ranges::fill(virial_, 0.0);
+  ranges::fill(virial_, 0.0);
   energy_integral_ = simulation_.tally().energy_integral(simulation_.now());
   window_begin_ = contacts();
 }

@@ -11,6 +11,7 @@
 #include "hardball/packing/crystalline_share.hpp"
 #include "hardball/packing/jamming.hpp"
 #include "hardball/packing/protocol.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -76,7 +77,7 @@ double round_to_origin(PackedSpheres& spheres) {
     for (Vec3& position : spheres.positions) position[axis] = unit * std::floor(position[axis] / unit);
     if (!container.is_periodic(axis)) lost = std::max(lost, 2 * unit);
   }
-  return 1 - lost / std::ranges::min(spheres.radii);
+  return 1 - lost / ranges::min(spheres.radii);
 }
 
 void round_to_singles(PackedSpheres& spheres) {
@@ -149,7 +150,7 @@ ContactNetwork network_now(const Packing& packing, const std::vector<Vec3>& posi
     // Each position is rounded by no more than this along each axis.
     const Vec3& size = spheres.container.size;
     constexpr double kUnit = 0x1p-24;
-    within += 4 * kUnit * std::max({size.x, size.y, size.z}) / std::ranges::min(spheres.radii);
+    within += 4 * kUnit * std::max({size.x, size.y, size.z}) / ranges::min(spheres.radii);
   }
   // More than the rounding of any program that computes gaps.
   constexpr double kRounding = 1e-9;
@@ -276,7 +277,7 @@ Snapshot snapshot_of(const PackedSpheres& spheres) {
     box.is_periodic[axis] = spheres.container.is_periodic(axis);
   snapshot.time = 0;
   if (box.is_flat) {
-    const double thickness = 2 * std::ranges::max(spheres.radii);
+    const double thickness = 2 * ranges::max(spheres.radii);
     box.low.z = -thickness / 2;
     box.size.z = thickness;
   }

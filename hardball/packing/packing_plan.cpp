@@ -15,6 +15,7 @@
 #include "hardball/packing/jamming.hpp"
 #include "hardball/packing/protocol.hpp"
 #include "hardball/placement/placement.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -459,7 +460,7 @@ double PackingPlan::final_fraction() const {
 
 bool PackingPlan::is_narrow() const {
   constexpr double kNarrow = 5;
-  return container.wall_area() > 0 && container.largest_radius() < kNarrow * std::ranges::max(radii);
+  return container.wall_area() > 0 && container.largest_radius() < kNarrow * ranges::max(radii);
 }
 
 PackingPlan plan(const PackingRequest& request) {

@@ -12,7 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/meshes/read_mesh.hpp"
-#include "hardball/platform/from_chars.hpp"
+#include "hardball/standard/number_text.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
 
 namespace hardball {
@@ -25,7 +25,7 @@ namespace {
 template <class Number>
 std::optional<Number> number_in(std::string_view text) {
   Number number{};
-  const auto [end, status] = platform::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, status] = from_chars(text.data(), text.data() + text.size(), number);
   if (status != std::errc() || end != text.data() + text.size()) return {};
   return number;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -112,7 +113,7 @@ void FreeSpace::list() {
 }
 
 bool FreeSpace::is_empty() const {
-  return std::ranges::all_of(listed_, [](const auto& voxels) { return voxels.empty(); });
+  return ranges::all_of(listed_, [](const auto& voxels) { return voxels.empty(); });
 }
 
 FreeSpace::Draw FreeSpace::draw(Random& random) const {

@@ -12,6 +12,7 @@
 #include "hardball/geometry/range.hpp"
 #include "hardball/geometry/spacing.hpp"
 #include "hardball/placement/free_space.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/static_hash_grid.hpp"
 
 namespace hardball {
@@ -84,7 +85,7 @@ bool contains(const Box& box, const Region& region, const Vec3& place) {
 }
 
 double largest_of(std::span<const double> radii, std::span<const PlacedSphere> placed) {
-  double largest = std::ranges::max(radii);
+  double largest = ranges::max(radii);
   for (const PlacedSphere& sphere : placed) largest = std::max(largest, sphere.radius);
   return largest;
 }
@@ -97,7 +98,7 @@ class SequentialAddition {
       : box_(box),
         region_(region),
         count_(radii.size()),
-        smallest_(std::ranges::min(radii)),
+        smallest_(ranges::min(radii)),
         random_(random),
         is_allowed_(is_allowed),
         placed_(box, radii.size() + placed.size(), largest_of(radii, placed)) {
@@ -354,7 +355,7 @@ std::optional<std::vector<Vec3>> find_random_places(const Box& box, const Region
   if (radii.empty()) return centers;
   check_region(box, region, where);
   for (const double radius : radii) check_positive(radius, "radius", where);
-  check_fits(box, region, std::ranges::max(radii), where);
+  check_fits(box, region, ranges::max(radii), where);
   const Packing& densest = packing_in(box);
   const auto [packing, are_equal] = filling_of(box, region, radii, placed);
   if (packing > densest.closest && are_equal) {
@@ -366,7 +367,7 @@ std::optional<std::vector<Vec3>> find_random_places(const Box& box, const Region
   if (packing > densest.most_random && are_equal) return std::nullopt;
   std::vector<std::size_t> by_size(radii.size());
   std::iota(by_size.begin(), by_size.end(), std::size_t{0});
-  if (std::ranges::min(radii) != std::ranges::max(radii)) {
+  if (ranges::min(radii) != ranges::max(radii)) {
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
   }

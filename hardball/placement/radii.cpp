@@ -12,7 +12,8 @@
 #include "hardball/geometry/range.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/numbers/exact_sum.hpp"
-#include "hardball/platform/from_chars.hpp"
+#include "hardball/standard/number_text.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -130,8 +131,7 @@ std::vector<std::size_t> share_out(std::size_t count, const std::vector<double>&
   }
   std::vector<std::size_t> order(weights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order,
-                           [&](std::size_t a, std::size_t b) { return remainders[a] > remainders[b]; });
+  ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return remainders[a] > remainders[b]; });
   for (std::size_t i = 0; given < count; ++i, ++given) ++shares[order[i % order.size()]];
   return shares;
 }
@@ -187,7 +187,7 @@ std::vector<double> read_radii(const std::filesystem::path& file, const std::str
     const std::string place = file.string() + ":" + to_text(radii.size() + 1);
     if (line.ends_with('\r')) line.pop_back();
     double radius = 0;
-    const auto [end, status] = platform::from_chars(line.data(), line.data() + line.size(), radius);
+    const auto [end, status] = from_chars(line.data(), line.data() + line.size(), radius);
     if (status != std::errc() || end != line.data() + line.size()) {
       throw Error("the line is not a number", place, "give one radius on each line, and nothing else");
     }

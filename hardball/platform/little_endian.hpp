@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -17,6 +18,10 @@ template <class Value>
 concept Plain = std::is_arithmetic_v<Value> || std::is_enum_v<Value> || requires {
   typename Value::PlainNumber;
 };
+
+/// Sizes, where they have fewer bits than the 64 that they have in files.
+template <class Value>
+concept NarrowSize = std::is_same_v<Value, std::size_t> && sizeof(Value) < sizeof(std::uint64_t);
 
 namespace platform {
 
@@ -47,6 +52,7 @@ void exchange_endianness([[maybe_unused]] char* bytes, [[maybe_unused]] std::siz
 /// Appends numbers, or those of objects, to `bytes`, least significant byte first.
 template <Plain Value>
 void append_little_endian(std::string& bytes, const Value* values, std::size_t count) {
+  static_assert(!NarrowSize<Value>);
   const std::size_t before = bytes.size();
   bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
   platform::exchange_endianness<Value>(bytes.data() + before, count);

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball {
 namespace {
 
@@ -209,7 +211,7 @@ void MovingSpheres::for_each_near(const State& from, double radius, double begin
   for (const Layer& layer : layers_) {
     const std::size_t behind = at + layer.size;
     // Later than that, too many images of each sphere may be in reach.
-    const bool are_few_near = std::ranges::all_of(
+    const bool are_few_near = ranges::all_of(
         extent_, [&](const Axis& axis) { return axis.period == 0 || layer.speed * end <= axis.period; });
     if (are_few_near && layer.size > 0) {
       look_in(layer, from, sweep, radius, end, visit);
@@ -222,7 +224,8 @@ void MovingSpheres::for_each_near(const State& from, double radius, double begin
 
 void MovingSpheres::look_in(const Layer& layer, const State& from, const Sweep& sweep, double radius,
                             double end, const Function<void(Slot)>& visit) const {
-  const auto& [low, high] = sweep;
+  const Vec3& low = sweep.low;
+  const Vec3& high = sweep.high;
   // From where spheres come in time.
   const double moved = layer.speed > 0 ? layer.speed * end : 0;
   const double reach = (radius + layer.radius + moved) * (1 + kRounding);

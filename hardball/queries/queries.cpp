@@ -14,6 +14,7 @@
 #include "hardball/queries/cell_walk.hpp"
 #include "hardball/queries/image_search.hpp"
 #include "hardball/queries/sphere_search.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/pair_event.hpp"
 #include "hardball/world/walls.hpp"
@@ -435,8 +436,8 @@ std::vector<SphereId> overlap_with(const SphereSearch& search, const Time& now, 
     part.phase->visit_cells(cells_of(*part.phase->search_cells(), extent), look_at_all);
     part.phase->visit_hollow(look_at_all);
   }
-  std::ranges::sort(found);
-  const auto rest = std::ranges::unique(found);
+  ranges::sort(found);
+  const auto rest = ranges::unique(found);
   found.erase(rest.begin(), rest.end());
   return found;
 }
@@ -494,8 +495,8 @@ std::vector<RayHit> ray_hits(const SphereSearch& search, const Time& now, const 
     if (ends) end = std::min(end, hit.time.high);
   });
   const auto order = [](const First& hit) { return std::tie(hit.time, hit.kind, hit.body); };
-  std::ranges::sort(found, {}, order);
-  const auto rest = std::ranges::unique(found, {}, order);
+  ranges::sort(found, {}, order);
+  const auto rest = ranges::unique(found, {}, order);
   found.erase(rest.begin(), rest.end());
   std::vector<RayHit> hits;
   for (const First& hit : found) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/recording/recording_header.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/step_levels.hpp"
 
 #include <algorithm>
@@ -28,8 +29,8 @@ RecordingHeader recording_header(const Simulation& simulation) {
   RecordingHeader header;
   header.has_bodies = needs_bodies(simulation);
   header.has_growth = simulation.growth() || simulation.world().motion().has_growth();
-  header.has_motions = std::ranges::any_of(
-      simulation.motions(), [](const DrivenMotion& motion) { return !motion.surfaces().empty(); });
+  header.has_motions = ranges::any_of(simulation.motions(),
+                                      [](const DrivenMotion& motion) { return !motion.surfaces().empty(); });
   header.begin = simulation.time();
   header.cell_edge = simulation.cell_edges();
   header.restitution = restitution_of(simulation).value_or(std::numeric_limits<double>::quiet_NaN());

@@ -12,6 +12,7 @@
 #include "hardball/io/crc32.hpp"
 #include "hardball/platform/little_endian.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/pair_event.hpp"
 
 namespace hardball {
@@ -95,7 +96,7 @@ std::size_t count_with_gaps(const World& world) {
 std::vector<SpeciesId> species_of(const World& world, std::size_t count) {
   std::vector<SpeciesId> species(count, 0);
   world.for_each_by_id([&](Slot slot) { species[world.id(slot)] = world.species(slot); });
-  if (std::ranges::all_of(species, [](SpeciesId id) { return id == 0; })) species.clear();
+  if (ranges::all_of(species, [](SpeciesId id) { return id == 0; })) species.clear();
   return species;
 }
 
@@ -120,7 +121,7 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
   state_.epoch = {growth.begin.value(), growth.scale, growth.rate};
   header.has_bodies = header.has_bodies || needs_bodies;
   state_.layout = header.layout();
-  state_.most_contacts = std::clamp(count, kLeastContacts, kMaxContactBytes / contact_bytes());
+  state_.most_contacts = std::clamp<std::size_t>(count, kLeastContacts, kMaxContactBytes / contact_bytes());
   state_.begin = header.begin;
   header.spheres = count;
   header.box = world.box();
@@ -165,7 +166,7 @@ bool RecordingWriter::State::restored() {
            (contact.is_wall() || static_cast<std::size_t>(contact.second) < keyframe.size());
   };
   return bodies.size() == (layout.has_bodies ? keyframe.size() : 0) &&
-         std::ranges::all_of(contacts, is_among_them);
+         ranges::all_of(contacts, is_among_them);
 }
 
 std::string RecordingWriter::save() {
@@ -330,7 +331,7 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
     contact->rewrite(state_.keyframe);
     if (contact->is_epoch()) state_.epoch = contact->epoch();
     if (!contact->is_surface()) continue;
-    const auto known = std::ranges::find(state_.surfaces, contact->first, &RecordedContact::first);
+    const auto known = ranges::find(state_.surfaces, contact->first, &RecordedContact::first);
     if (known == state_.surfaces.end()) {
       state_.surfaces.push_back(*contact);
     } else {

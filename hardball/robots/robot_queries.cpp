@@ -3,7 +3,6 @@
 #include "hardball/robots/robot_queries.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -14,6 +13,7 @@
 #include "hardball/geometry/range.hpp"
 #include "hardball/geometry/safe_step.hpp"
 #include "hardball/robots/kinematics.hpp"
+#include "hardball/standard/share_work.hpp"
 
 namespace hardball {
 namespace {
@@ -453,18 +453,9 @@ void check_tolerance(double tolerance, const char* where) {
   check_positive(tolerance, "the tolerance", where);
 }
 
-// Calls work(k) for all k below `count`, in several threads. Precondition: it does not throw.
-template <class Work>
-void share(std::size_t count, std::size_t threads, Work&& work) {
-  if (threads == 0) threads = std::max<std::size_t>(1, std::thread::hardware_concurrency());
-  threads = std::min(threads, std::max<std::size_t>(1, count));
-  std::atomic<std::size_t> next{0};
-  const auto take = [&] {
-    for (std::size_t k = next++; k < count; k = next++) work(k);
-  };
-  std::vector<std::jthread> others;
-  for (std::size_t k = 1; k < threads; ++k) others.emplace_back(take);
-  take();
+// As many as there are processors, if zero.
+std::size_t threads_of(std::size_t threads) {
+  return threads > 0 ? threads : std::max<std::size_t>(1, std::thread::hardware_concurrency());
 }
 
 }  // namespace
@@ -483,7 +474,7 @@ std::vector<std::optional<RobotContact>> first_contacts(const Robot& robot,
   for (const JointTrajectory& trajectory : trajectories) check(robot, trajectory, "first_contacts");
   check_clearance(robot, clearance, "first_contacts");
   std::vector<std::optional<RobotContact>> contacts(trajectories.size());
-  share(trajectories.size(), threads, [&](std::size_t k) {
+  share_work(trajectories.size(), threads_of(threads), [&](std::size_t k) {
     contacts[k] = TrajectorySearch(robot, trajectories[k], obstacles).first_contact(clearance);
   });
   return contacts;
@@ -503,7 +494,7 @@ std::vector<std::optional<RobotContact>> least_clearances(const Robot& robot,
   for (const JointTrajectory& trajectory : trajectories) check(robot, trajectory, "least_clearances");
   check_tolerance(tolerance, "least_clearances");
   std::vector<std::optional<RobotContact>> nearest(trajectories.size());
-  share(trajectories.size(), threads, [&](std::size_t k) {
+  share_work(trajectories.size(), threads_of(threads), [&](std::size_t k) {
     nearest[k] = TrajectorySearch(robot, trajectories[k], obstacles).least_clearance(tolerance);
   });
   return nearest;

@@ -9,7 +9,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/read_file.hpp"
-#include "hardball/platform/from_chars.hpp"
+#include "hardball/standard/number_text.hpp"
 
 namespace hardball {
 namespace {
@@ -310,7 +310,7 @@ class SphereReader {
     double number = 0;
     const char* const end = node.text.data() + node.text.size();
     const char* const begin = node.text.data() + (node.text.starts_with('+') ? 1 : 0);
-    const auto [rest, problem] = platform::from_chars(begin, end, number);
+    const auto [rest, problem] = from_chars(begin, end, number);
     if (problem != std::errc() || rest != end || begin == end || !std::isfinite(number))
       parser_.refuse(node.line, "'" + shortened(node.text) + "' is no number");
     return number;

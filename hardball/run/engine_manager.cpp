@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "hardball/domains/domains_engine.hpp"
+#include "hardball/domains/make_domains_engine.hpp"
 #include "hardball/domains/sample.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/tuning/size_classes.hpp"
@@ -65,9 +65,8 @@ void EngineManager::start(World empty, SphereTransfers brought, const Time& now)
   statistics.spheres = spheres;
   kind_ = choose_engine(sample, statistics, options_, now, kind_);
   const double length = choose_length(sample, statistics, kind_, options_, now);
-  engine_ = std::make_unique<DomainsEngine>(std::move(empty), std::move(brought),
-                                            phase_settings(kind_, options_, length),
-                                            choose_division(sample, options_), now, *processes_);
+  engine_ = make_domains_engine(std::move(empty), std::move(brought), phase_settings(kind_, options_, length),
+                                choose_division(sample, options_), now, *processes_);
   begin(length, now);
 }
 

@@ -7,12 +7,13 @@
 
 #include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/broadphase/sheared_cells.hpp"
-#include "hardball/domains/domains_engine.hpp"
+#include "hardball/domains/make_domains_engine.hpp"
 #include "hardball/domains/processors.hpp"
 #include "hardball/engine/engine.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/paper/paper_engine.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
@@ -49,7 +50,7 @@ constexpr Choice kChoices[] = {
 
 // Precondition: not automatic.
 const Choice& choice(EngineKind kind) {
-  return *std::ranges::find(kChoices, kind, &Choice::kind);
+  return *ranges::find(kChoices, kind, &Choice::kind);
 }
 
 // With fewer spheres, or in two threads, a run with measures may gain nothing: docs/parallel.md.
@@ -70,7 +71,7 @@ Division as_pays(std::size_t spheres) {
 Division choose_division(const World& world, const EngineOptions& options) {
   if (!goes_with(Feature::threads, world.features())) return {};
   if (options.division) return *options.division;
-  if (options.threads == 0) return as_pays(world.size());
+  if (options.threads == 0) return has_domains() ? as_pays(world.size()) : Division();
   return {.domains = options.threads, .threads = options.threads};
 }
 
@@ -86,7 +87,7 @@ std::unique_ptr<EngineBase> make_engine(World world, EngineKind engine, const En
   const Division division = choose_division(world, options);
   const bool is_divided = division.domains > 1 && engine != EngineKind::all_pairs;
   if (is_divided || processes.size() > 1)
-    return std::make_unique<DomainsEngine>(std::move(world), settings, division, now, processes);
+    return make_domains_engine(std::move(world), settings, division, now, processes);
   return std::make_unique<Engine<CalendarQueue>>(std::move(world), settings, now, progress);
 }
 
@@ -107,6 +108,10 @@ void check_features(const EngineOptions& options, const Processes& processes, Fe
   if (options.threads > kMostThreads) {
     throw Error("there are to be " + to_text(options.threads) + " threads", "threads",
                 "give at most " + to_text(kMostThreads) + ", and no more than there are processors");
+  }
+  if (options.threads > 1 && !has_domains()) {
+    throw Error("there are to be " + to_text(options.threads) + " threads, and this library has none",
+                "threads", "give one, or configure the library with HARDBALL_DOMAINS=ON");
   }
   features.add(Feature::threads, options.threads > 1);
   features.add(Feature::processes, processes.size() > 1);

@@ -31,11 +31,12 @@ constexpr void expect(bool condition) {
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <optional>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/number_text.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -252,7 +253,7 @@ void set_location(Node& node, const Location& location) {
 
 std::optional<std::size_t> parse_index(std::string_view text) {
   std::size_t index = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), index);
+  const auto [end, status] = from_chars(text.data(), text.data() + text.size(), index);
   if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return index;
 }
@@ -280,7 +281,7 @@ void Document::apply_override(const std::string& override_text) {
   const std::size_t equals = override_text.find('=');
   const std::string key = override_text.substr(0, equals);
   const std::string where = "--set " + shortened(key);
-  if (static_cast<std::size_t>(std::ranges::count(key, '.')) >= kMostLevels) {
+  if (static_cast<std::size_t>(ranges::count(key, '.')) >= kMostLevels) {
     throw Error("there are more than " + to_text(kMostLevels) + " levels of tables or arrays", where,
                 "write fewer dots in the key");
   }

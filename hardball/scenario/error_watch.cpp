@@ -8,6 +8,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/nearest_name.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
@@ -18,16 +19,16 @@ ErrorWatch::ErrorWatch(const Scenario& scenario) : wanted_(scenario.run.until_er
   const double begin = scenario.measures.from;
   const double span = *scenario.run.until - begin;
   for (double part = 1; part > kFirst && span > 0; part /= kGrowth) looks_.push_back(begin + part * span);
-  std::ranges::reverse(looks_);
+  ranges::reverse(looks_);
 }
 
 double ErrorWatch::next_look(double now) const {
-  const auto next = std::ranges::upper_bound(looks_, now);
+  const auto next = ranges::upper_bound(looks_, now);
   return next == looks_.end() || reached_ ? std::numeric_limits<double>::infinity() : *next;
 }
 
 bool ErrorWatch::is_time_to_look(double now) const {
-  return !reached_ && std::ranges::binary_search(looks_, now);
+  return !reached_ && ranges::binary_search(looks_, now);
 }
 
 void ErrorWatch::look(double now, std::span<const Measurement> measurements) {
@@ -40,7 +41,7 @@ std::vector<std::string> ErrorWatch::failures(std::span<const Measurement> measu
     for (const Quantity& quantity : measurement.quantities) names.push_back(quantity.name);
   std::vector<std::string> failures;
   for (const auto& [name, most] : wanted_) {
-    if (std::ranges::find(names, name) == names.end()) {
+    if (ranges::find(names, name) == names.end()) {
       throw Error("run.until_error names \"" + name + "\", which is not measured", where_,
                   names.empty() ? "measure something" : suggestion(name, names, '"'));
     }

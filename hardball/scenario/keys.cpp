@@ -12,6 +12,7 @@
 #include "hardball/measure/measures.hpp"
 #include "hardball/motions/prescribed_motion.hpp"
 #include "hardball/scenario/scenario.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/world.hpp"
 
@@ -410,13 +411,13 @@ std::vector<KeyDescription> merged(std::vector<std::vector<KeyDescription>> of_k
     return keys.front().name == name;
   };
   const auto must_wait = [&](std::string_view name) {
-    return std::ranges::any_of(of_kinds, [&](const std::vector<KeyDescription>& keys) {
-      return std::ranges::find(keys, name, &KeyDescription::name) != keys.end() && !is_first(keys, name);
+    return ranges::any_of(of_kinds, [&](const std::vector<KeyDescription>& keys) {
+      return ranges::find(keys, name, &KeyDescription::name) != keys.end() && !is_first(keys, name);
     });
   };
   while (true) {
     std::erase_if(of_kinds, [](const std::vector<KeyDescription>& keys) { return keys.empty(); });
-    const auto next = std::ranges::find_if(
+    const auto next = ranges::find_if(
         of_kinds, [&](const std::vector<KeyDescription>& keys) { return !must_wait(keys.front().name); });
     if (next == of_kinds.end()) {
       HARDBALL_CHECK(of_kinds.empty());  // else two kinds have the same fields in opposite orders
@@ -542,7 +543,7 @@ TableDescription walls_keys() {
   for_each_field<OscillatingPlane>([&](const auto& field) {
     KeyDescription key = only_for({Plane::kName}, key_of(field));
     key.is_required = false;
-    const bool is_of_rest = std::ranges::find(keys, key.name, &KeyDescription::name) != keys.end();
+    const bool is_of_rest = ranges::find(keys, key.name, &KeyDescription::name) != keys.end();
     if (!is_of_rest) keys.push_back(std::move(key));
   });
   for (const KeyDescription& key : surface_keys()) keys.push_back(key);
@@ -777,25 +778,25 @@ std::string type_of(const KeyDescription& key) {
 }
 
 bool goes_with(const KeyDescription& key, std::string_view choice) {
-  return key.only_for.empty() || std::ranges::find(key.only_for, choice) != key.only_for.end();
+  return key.only_for.empty() || ranges::find(key.only_for, choice) != key.only_for.end();
 }
 
 }  // namespace
 
 const KeyDescription* TableDescription::find(std::string_view name, std::string_view choice) const {
-  const auto found = std::ranges::find_if(
+  const auto found = ranges::find_if(
       keys, [&](const KeyDescription& key) { return key.name == name && goes_with(key, choice); });
   return found == keys.end() ? nullptr : &*found;
 }
 
 bool TableDescription::has_variants() const {
-  return std::ranges::any_of(keys, [](const KeyDescription& key) { return !key.only_for.empty(); });
+  return ranges::any_of(keys, [](const KeyDescription& key) { return !key.only_for.empty(); });
 }
 
 std::vector<std::string_view> TableDescription::names() const {
   std::vector<std::string_view> names;
   for (const KeyDescription& key : keys) {
-    if (std::ranges::find(names, key.name) == names.end()) names.push_back(key.name);
+    if (ranges::find(names, key.name) == names.end()) names.push_back(key.name);
   }
   return names;
 }

@@ -16,6 +16,7 @@
 #include "hardball/scenario/make_interactions.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/velocities.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/walls.hpp"
@@ -29,11 +30,11 @@ constexpr double kPlaced = 0.75;
 using Groups = std::span<const SphereGroup>;
 
 double largest_radius(const SphereGroup& group) {
-  return group.radii.empty() ? group.radius : std::ranges::max(group.radii);
+  return group.radii.empty() ? group.radius : ranges::max(group.radii);
 }
 
 const SphereGroup& group_of_largest(Groups groups) {
-  return *std::ranges::max_element(groups, {}, largest_radius);
+  return *ranges::max_element(groups, {}, largest_radius);
 }
 
 // The length of the axes without a size at which the box has this volume. Bisection, since the C library's
@@ -58,7 +59,7 @@ double length_for_volume(const Scenario& scenario, double volume) {
 // The region in which spheres are placed: the sizes given, or what surfaces leave, and along other axes an
 // interval around 0, or from a surface on.
 Region make_region(const Scenario& scenario, Groups groups, std::span<const Surface> surfaces) {
-  const bool has_all_sizes = std::ranges::all_of(
+  const bool has_all_sizes = ranges::all_of(
       scenario.box, [](const Scenario::Axis& axis) { return axis.size || axis.boundary == Boundary::flat; });
   const double volume = sphere_volume(groups) / kOpenPackingFraction;
   const double diameter = 2 * largest_radius(group_of_largest(groups));
@@ -107,7 +108,7 @@ bool is_on_lattice(const SphereGroup& group) {
 
 // Spheres at random avoid those that are listed. A lattice fills the region alone, with spheres of one size.
 void check_placements(Groups groups) {
-  const auto lattice = std::ranges::find_if(groups, is_on_lattice);
+  const auto lattice = ranges::find_if(groups, is_on_lattice);
   if (lattice == groups.end()) return;
   for (const SphereGroup& group : groups) {
     if (group.placement != lattice->placement) {
@@ -162,7 +163,7 @@ std::vector<Vec3> place(const Scenario& scenario, Groups groups, const World& wo
   check_placements(groups);
   const auto is_listed = [](const SphereGroup& group) { return group.placement == Placement::listed; };
   std::vector<Vec3> placed;
-  if (!std::ranges::all_of(groups, is_listed)) {
+  if (!ranges::all_of(groups, is_listed)) {
     const Region region = make_region(scenario, groups, world.surfaces());
     check_room(world.box(), groups, region);
     const SphereGroup& first = groups.front();
@@ -172,7 +173,7 @@ std::vector<Vec3> place(const Scenario& scenario, Groups groups, const World& wo
                  ? place_on_lattice(world.box(), region, count, first.radius_of(0), first.where)
                  : place_at_random(world, region, groups, random, progress, on_note);
   }
-  if (std::ranges::none_of(groups, is_listed)) return placed;
+  if (ranges::none_of(groups, is_listed)) return placed;
   std::vector<Vec3> positions;
   auto next = placed.begin();
   for (const SphereGroup& group : groups) {
@@ -330,7 +331,7 @@ void complete_velocities(const Scenario& scenario, const Box& box, const std::st
                          Snapshot& snapshot) {
   const bool are_given = scenario.start_velocity_rule.has_value();
   const bool is_any_moving =
-      std::ranges::any_of(snapshot.spheres, [](const Sphere& sphere) { return sphere.velocity != Vec3{}; });
+      ranges::any_of(snapshot.spheres, [](const Sphere& sphere) { return sphere.velocity != Vec3{}; });
   if (is_any_moving && are_given) {
     throw Error("the file has velocities, and the scenario gives others", name,
                 "remove temperature and mean_speed from [start]");

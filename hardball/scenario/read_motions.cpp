@@ -8,6 +8,7 @@
 #include "hardball/motions/keyframes.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 #include "hardball/scenario/read_tables.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -58,7 +59,7 @@ std::vector<MotionDescription> read_motions(const Section& root, const std::file
   std::vector<MotionDescription> motions;
   for (const Section& section : root.sections("motions")) {
     MotionDescription motion = read_motion(section, folder, dimensions);
-    if (std::ranges::find(motions, motion.name, &MotionDescription::name) != motions.end()) {
+    if (ranges::find(motions, motion.name, &MotionDescription::name) != motions.end()) {
       throw Error("there are two motions \"" + shortened(motion.name) + "\"", section.need("name").location(),
                   "give each a name of its own");
     }
@@ -76,7 +77,7 @@ PrescribedMotion MotionDescription::made(std::size_t dimensions) const {
 
 std::size_t motion_named(const Value& name, const std::vector<MotionDescription>& motions) {
   const std::string wanted = name.text();
-  const auto found = std::ranges::find(motions, wanted, &MotionDescription::name);
+  const auto found = ranges::find(motions, wanted, &MotionDescription::name);
   if (found != motions.end()) return static_cast<std::size_t>(found - motions.begin());
   std::vector<std::string_view> names;
   for (const MotionDescription& each : motions) names.push_back(each.name);
@@ -92,8 +93,8 @@ void check_motions(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.motions.size(); ++k) {
     const MotionDescription& motion = scenario.motions[k];
     const auto is_driven = [&](const auto& body) { return body.motion == k; };
-    const bool drives_spheres = std::ranges::any_of(scenario.spheres, is_driven);
-    if (!drives_spheres && std::ranges::none_of(scenario.surfaces, is_driven)) {
+    const bool drives_spheres = ranges::any_of(scenario.spheres, is_driven);
+    if (!drives_spheres && ranges::none_of(scenario.surfaces, is_driven)) {
       throw Error("the motion \"" + shortened(motion.name) + "\" drives nothing", motion.where,
                   "add motion = \"" + motion.name + "\" to [[spheres]] or [[walls]], or remove it");
     }

@@ -8,6 +8,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/sphere_id.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -37,7 +38,7 @@ PotentialDescription read_potential(const Section& section, const Scenario& scen
     return std::minmax(known.between->first, known.between->second) ==
            std::minmax(potential.between->first, potential.between->second);
   };
-  if (std::ranges::any_of(scenario.potentials, is_same))
+  if (ranges::any_of(scenario.potentials, is_same))
     throw Error("there are two potentials for the same species", section.location(), "remove one of the two");
   read_steps(section, potential.rules);
   check(potential.rules, section);

@@ -10,6 +10,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 #include "hardball/scenario/settling_heap.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -65,7 +66,7 @@ PairDescription read_pair(const Section& section, const Scenario& scenario) {
     return (known.first == pair.first && known.second == pair.second) ||
            (known.second == pair.first && pair.second == known.first);
   };
-  if (std::ranges::any_of(scenario.pairs, is_same)) {
+  if (ranges::any_of(scenario.pairs, is_same)) {
     throw Error("there are two rules for the same species", between.location(), "remove one of the two");
   }
   pair.bounce = scenario.bounce;
@@ -85,7 +86,7 @@ std::vector<SpeciesDescription> read_species(const Section& root) {
       throw Error("a species is named \"wall\"", name.location(),
                   "choose another name: that one means walls");
     }
-    if (std::ranges::find(all, species.name, &SpeciesDescription::name) != all.end()) {
+    if (ranges::find(all, species.name, &SpeciesDescription::name) != all.end()) {
       throw Error("there are two species \"" + shortened(species.name) + "\"", name.location(),
                   "choose another name");
     }
@@ -99,7 +100,7 @@ std::vector<SpeciesDescription> read_species(const Section& root) {
 
 SpeciesId species_named(const Value& name, std::span<const SpeciesDescription> species) {
   const std::string wanted = name.text();
-  const auto found = std::ranges::find(species, wanted, &SpeciesDescription::name);
+  const auto found = ranges::find(species, wanted, &SpeciesDescription::name);
   if (found != species.end()) return static_cast<SpeciesId>(found - species.begin());
   std::vector<std::string_view> names;
   for (const SpeciesDescription& each : species) names.push_back(each.name);

@@ -14,6 +14,7 @@
 #include "hardball/meshes/read_height_field.hpp"
 #include "hardball/meshes/read_mesh.hpp"
 #include "hardball/scenario/keys.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/surfaces/make_mesh.hpp"
 
 namespace hardball {
@@ -140,7 +141,7 @@ void read_wall(const Section& section, const std::filesystem::path& folder, cons
   static_cast<void>(name.choice());
   const Vec3 point = section.need("point").vector(dimensions);
   const std::string kind = name.text();
-  const bool is_mesh = std::ranges::find(kMeshShapes, kind) != kMeshShapes.end();
+  const bool is_mesh = ranges::find(kMeshShapes, kind) != kMeshShapes.end();
   std::vector<Part> parts;
   if (is_mesh) {
     parts.push_back({read_mesh_shape(section, kind, folder), point});

@@ -15,6 +15,7 @@
 #include "hardball/scenario/document.hpp"
 #include "hardball/scenario/read_tables.hpp"
 #include "hardball/scenario/section.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -69,7 +70,7 @@ void read_packing_fraction(const Section& box, Scenario& scenario) {
                 "remove one of the two; with size, [[spheres]] may have packing_fraction instead of count");
   }
   const auto is_open = [](const Scenario::Axis& axis) { return axis.boundary == Boundary::open; };
-  if (std::ranges::any_of(scenario.box, is_open)) {
+  if (ranges::any_of(scenario.box, is_open)) {
     throw Error("packing_fraction is given, and the box is open along an axis", fraction->location(),
                 "make all axes periodic or walls, or give size");
   }
@@ -88,7 +89,7 @@ void check_packing_fractions(const Section& root, const Scenario& scenario) {
     if (groups.empty()) refuse("the spheres come from a file", fraction, "give size");
     if (has_surfaces) refuse("there are [[walls]] or [[obstacles]]", fraction, "give size");
     const auto is_listed = [](const SphereGroup& group) { return group.placement == Placement::listed; };
-    if (std::ranges::any_of(scenario.spheres, is_listed))
+    if (ranges::any_of(scenario.spheres, is_listed))
       refuse("spheres have positions, which need a box of known size", fraction, "give size");
   }
   for (const Section& group : groups) {
@@ -243,13 +244,12 @@ Scenario read_scenario(const Document& document) {
     if (offset != Vec3{}) scenario.measures.torque_about.emplace_back(k, offset);
   }
   const auto is_listed = [](const SphereGroup& group) { return group.placement == Placement::listed; };
-  scenario.measures.is_start_placed = scenario.measures.from == 0 && !scenario.start_file &&
-                                      !std::ranges::all_of(scenario.spheres, is_listed);
+  scenario.measures.is_start_placed =
+      scenario.measures.from == 0 && !scenario.start_file && !ranges::all_of(scenario.spheres, is_listed);
   const auto is_random = [](const SphereGroup& group) {
     return group.placement == Placement::random || group.rotational_temperature > 0;
   };
-  scenario.measures.is_energy_random =
-      !scenario.start_file && std::ranges::any_of(scenario.spheres, is_random);
+  scenario.measures.is_energy_random = !scenario.start_file && ranges::any_of(scenario.spheres, is_random);
   leave_out_measures(root, scenario);
   if (!scenario.run.until_error.empty() && scenario.measures.names.empty()) {
     throw Error("run.until_error is given, and nothing is measured",
@@ -276,10 +276,10 @@ Features Scenario::features() const {
   features.add(Feature::growth, growth.has_value());
   features.add(Feature::shear, shear.is_present());
   features.add(Feature::steps, has_steps());
-  features.add(Feature::merging, merges || std::ranges::any_of(pairs, merge));
-  features.add(Feature::kinematic, std::ranges::any_of(spheres, &SphereGroup::is_kinematic));
+  features.add(Feature::merging, merges || ranges::any_of(pairs, merge));
+  features.add(Feature::kinematic, ranges::any_of(spheres, &SphereGroup::is_kinematic));
   features.add(Feature::motions, !motions.empty());
-  features.add(Feature::undriven, std::ranges::any_of(spheres, [](const SphereGroup& group) {
+  features.add(Feature::undriven, ranges::any_of(spheres, [](const SphereGroup& group) {
                  return group.is_kinematic && !group.motion;
                }));
   return features;

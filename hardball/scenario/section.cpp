@@ -9,6 +9,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/scenario/nearest_name.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -94,7 +95,7 @@ std::string Value::text() const {
 
 std::size_t Value::choice() const {
   const std::string given = text();
-  const auto found = std::ranges::find(key_->choices, given);
+  const auto found = ranges::find(key_->choices, given);
   if (found == key_->choices.end()) {
     throw Error(std::string(key_->name) + " is \"" + shortened(given) + "\"", location(),
                 suggestion(given, key_->choices, '"'));
@@ -195,7 +196,7 @@ Section::Section(const Document& document, const Node& node, const KeyDescriptio
 void Section::check_keys() {
   for (const Entry& entry : std::get<Node::Table>(node_->value)) {
     const std::vector<std::string_view> names = keys_->names();
-    if (std::ranges::find(names, entry.key) != names.end()) continue;
+    if (ranges::find(names, entry.key) != names.end()) continue;
     throw Error("unknown key " + in_quotes(entry.key) + (keys_->title.empty() ? "" : " in " + keys_->title),
                 document_->text_of(entry.location), suggestion(entry.key, names));
   }
@@ -212,7 +213,7 @@ void Section::check_keys() {
 
 const Entry* Section::entry(std::string_view key) const {
   const auto& table = std::get<Node::Table>(node_->value);
-  const auto found = std::ranges::find(table, key, &Entry::key);
+  const auto found = ranges::find(table, key, &Entry::key);
   return found == table.end() ? nullptr : &*found;
 }
 

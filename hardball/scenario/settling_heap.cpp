@@ -6,15 +6,17 @@
 #include <cmath>
 #include <variant>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball {
 namespace {
 
 // Whether it holds for the material of a face with properties of its own, or of a surface.
 bool any_of_walls(const Scenario& scenario, const auto& holds) {
-  return std::ranges::any_of(scenario.faces,
-                             [&](const FaceDescription& face) { return holds(face.properties.material); }) ||
-         std::ranges::any_of(scenario.surfaces,
-                             [&](const SurfaceDescription& wall) { return holds(wall.surface.material()); });
+  return ranges::any_of(scenario.faces,
+                        [&](const FaceDescription& face) { return holds(face.properties.material); }) ||
+         ranges::any_of(scenario.surfaces,
+                        [&](const SurfaceDescription& wall) { return holds(wall.surface.material()); });
 }
 
 }  // namespace
@@ -27,7 +29,7 @@ bool loses_energy(const BounceRules& rules) {
 bool loses_energy(const Scenario& scenario) {
   const auto is_lossy = [](const SurfaceMaterial& material) { return material.restitution.value_or(1) < 1; };
   return loses_energy(scenario.bounce) || any_of_walls(scenario, is_lossy) ||
-         std::ranges::any_of(scenario.pairs, [](const PairDescription& pair) {
+         ranges::any_of(scenario.pairs, [](const PairDescription& pair) {
            return pair.outcome == ContactOutcome::bounce && loses_energy(pair.bounce);
          });
 }
@@ -40,7 +42,7 @@ bool are_kept_moving(const Scenario& scenario) {
            std::holds_alternative<OscillatingPlane>(wall.surface.shape());
   };
   return scenario.thermostat || !scenario.motions.empty() || any_of_walls(scenario, is_warm) ||
-         std::ranges::any_of(scenario.faces, face_moves) || std::ranges::any_of(scenario.surfaces, moves);
+         ranges::any_of(scenario.faces, face_moves) || ranges::any_of(scenario.surfaces, moves);
 }
 
 bool has_floor(const Scenario& scenario) {
@@ -51,7 +53,7 @@ bool has_floor(const Scenario& scenario) {
     const Vec3* const normal = wall.surface.normal();
     return normal ? dot(*normal, scenario.gravity) < 0 : is_round(wall);
   };
-  return scenario.gravity != Vec3{} && std::ranges::any_of(scenario.surfaces, bears);
+  return scenario.gravity != Vec3{} && ranges::any_of(scenario.surfaces, bears);
 }
 
 }  // namespace hardball

@@ -10,6 +10,7 @@
 #include "hardball/run/engine_manager.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/simulation/user_data.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/images.hpp"
 #include "hardball/world/sphere_edit.hpp"
@@ -141,8 +142,8 @@ void Simulation::change_velocities(std::span<const VelocityEdit> edits, Measures
 
 void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* measures) {
   std::vector<VelocityEdit> sorted(edits.begin(), edits.end());
-  std::ranges::sort(sorted, {}, &VelocityEdit::id);
-  const auto twice = std::ranges::adjacent_find(sorted, {}, &VelocityEdit::id);
+  ranges::sort(sorted, {}, &VelocityEdit::id);
+  const auto twice = ranges::adjacent_find(sorted, {}, &VelocityEdit::id);
   if (twice != sorted.end()) {
     throw Error("sphere " + to_text(twice->id) + " is given two velocities", "change_velocities",
                 "give each sphere once");
@@ -172,8 +173,8 @@ void Simulation::put(std::span<const PlaceEdit> edits) {
                 "begin a new simulation");
   }
   std::vector<PlaceEdit> sorted(edits.begin(), edits.end());
-  std::ranges::sort(sorted, {}, &PlaceEdit::id);
-  const auto twice = std::ranges::adjacent_find(sorted, {}, &PlaceEdit::id);
+  ranges::sort(sorted, {}, &PlaceEdit::id);
+  const auto twice = ranges::adjacent_find(sorted, {}, &PlaceEdit::id);
   if (twice != sorted.end())
     throw Error("sphere " + to_text(twice->id) + " is given two places", "put", "give each sphere once");
   std::vector<SphereState> states;

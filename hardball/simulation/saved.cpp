@@ -13,6 +13,7 @@
 #include "hardball/simulation/saved.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/simulation/user_data.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -105,14 +106,14 @@ std::vector<std::vector<SphereTransfer>> Simulation::own_blocks() const {
       sorted[transfer.state.id / kBlock / ranks].push_back(transfer);
   }
   for (std::vector<SphereTransfer>& block : sorted)
-    std::ranges::sort(block, {}, [](const SphereTransfer& transfer) { return transfer.state.id; });
+    ranges::sort(block, {}, [](const SphereTransfer& transfer) { return transfer.state.id; });
   return sorted;
 }
 
 std::size_t Simulation::blocks_of_spheres() const {
   SphereId next = 0;
   for_each_sphere([&](const World& world, Slot slot) { next = std::max(next, world.id(slot) + 1); });
-  return (std::ranges::max(processes().gather(next)) + kBlock - 1) / kBlock;
+  return (ranges::max(processes().gather(next)) + kBlock - 1) / kBlock;
 }
 
 std::string Simulation::save_without_spheres() const {

@@ -12,6 +12,7 @@
 #include "hardball/run/engine_manager.hpp"
 #include "hardball/run/run_schedule.hpp"
 #include "hardball/simulation/user_data.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/step_levels.hpp"
 #include "hardball/world/totals.hpp"
@@ -338,7 +339,7 @@ void Simulation::check_driven() {
   for_each_sphere([&](const World& world, Slot slot) {
     if (world.is_kinematic(slot) && !actors_.motions.schedule.drives(world.id(slot))) are_driven = false;
   });
-  if (std::ranges::min(processes().gather(are_driven ? 1 : 0)) == 0)
+  if (ranges::min(processes().gather(are_driven ? 1 : 0)) == 0)
     check_exclusions(Feature::undriven, Feature::gravity, "spheres");
   are_driven_ = true;
 }
@@ -438,7 +439,7 @@ std::vector<std::size_t> Simulation::species_counts() const {
 
 bool Simulation::has_spins() const {
   const bool has_spins = manager_->engine().has_spins();
-  return std::ranges::max(processes().gather(has_spins ? 1 : 0)) == 1;
+  return ranges::max(processes().gather(has_spins ? 1 : 0)) == 1;
 }
 
 Extent Simulation::extent() const {

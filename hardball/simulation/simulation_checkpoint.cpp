@@ -14,6 +14,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/replace_file.hpp"
 #include "hardball/processes/in_all.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -64,7 +65,7 @@ void write_in_parts(const Simulation& simulation, const std::filesystem::path& p
     restore(text, "the table of a process", entries);
     all.insert(all.end(), entries.begin(), entries.end());
   }
-  std::ranges::sort(all, {}, &NumberedEntry::number);
+  ranges::sort(all, {}, &NumberedEntry::number);
   std::vector<SectionEntry> entries;
   for (const NumberedEntry& each : all) entries.push_back(each.entry);
   const std::string head = checkpoint_head(entries);
@@ -109,7 +110,7 @@ void write_checkpoint(const Simulation& simulation, const std::filesystem::path&
 
 Simulation read_simulation(CheckpointReader& checkpoint, const std::string& where, Processes& processes,
                            std::size_t threads) {
-  if (std::ranges::count(checkpoint.names(), kDivided) == 0) {
+  if (ranges::count(checkpoint.names(), kDivided) == 0) {
     std::string whole;
     in_all(processes, [&] { whole = checkpoint.section(kWhole); });
     Simulation simulation = Simulation::load(whole, where, processes);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball {
 namespace {
 
@@ -129,7 +131,7 @@ bool MomentLags::restored() const {
   const auto is_sound = [this](const Level& level) {
     return level.average.has(kBins) && (level.held.empty() || level.held.size() == weights_.size());
   };
-  return base_ > 0 && levels_.size() <= kMaxLevels && std::ranges::all_of(levels_, is_sound);
+  return base_ > 0 && levels_.size() <= kMaxLevels && ranges::all_of(levels_, is_sound);
 }
 
 }  // namespace hardball

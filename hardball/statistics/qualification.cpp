@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "hardball/numbers/no_number.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -34,7 +35,7 @@ double widened(double error, double value, const std::string& unit, const StartS
 void leave_all_open(Measurement& measurement, const std::string& reason) {
   leave_quantities_open(measurement, reason);
   for (Column& column : measurement.columns) {
-    if (column.role == ColumnRole::error) std::ranges::fill(column.values, kNoNumber);
+    if (column.role == ColumnRole::error) ranges::fill(column.values, kNoNumber);
   }
 }
 

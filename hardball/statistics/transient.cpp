@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "hardball/standard/ranges.hpp"
 #include "hardball/statistics/qualification.hpp"
 
 namespace hardball {
@@ -63,7 +64,7 @@ Transient find_transient(const BlockAverage& average, std::span<const FunctionOf
   BlockAverage second_half = average;
   second_half.leave_out_until(ends[ends.size() / 2 - 1]);
   if (ends.size() < kSteps) {
-    const bool differ = std::ranges::any_of(quantities, [&](const auto& quantity) {
+    const bool differ = ranges::any_of(quantities, [&](const auto& quantity) {
       return halves_differ(average, second_half, quantity, groups);
     });
     return differ ? Transient{.end = {}, .is_over = false, .reason = kStillChanging} : Transient{};
@@ -88,7 +89,7 @@ Transient find_transient(const BlockAverage& average, std::span<const FunctionOf
   if (settled.end == 0) return found;
   // With the block in which it ends.
   const std::span<const double> ends = average.ends();
-  const auto block = std::ranges::lower_bound(ends, settled.end);
+  const auto block = ranges::lower_bound(ends, settled.end);
   return longer(found, {.end = block == ends.end() ? settled.end : *block, .is_over = true});
 }
 

@@ -3,10 +3,11 @@
 #include "hardball/surfaces/polynomial.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "hardball/standard/bit_cast.hpp"
 
 namespace hardball {
 namespace {
@@ -28,14 +29,14 @@ double sign_of(const DoubleDouble<>& number) {
 
 // The double halfway between two that are not negative, by the number of doubles in between.
 double halfway(double low, double high) {
-  const auto a = std::bit_cast<std::uint64_t>(low);
-  const auto b = std::bit_cast<std::uint64_t>(high);
-  return std::bit_cast<double>(a + (b - a) / 2);
+  const auto a = bit_cast<std::uint64_t>(low);
+  const auto b = bit_cast<std::uint64_t>(high);
+  return bit_cast<double>(a + (b - a) / 2);
 }
 
 double stepped(double number, std::int64_t steps) {
-  const auto bits = std::bit_cast<std::int64_t>(number);
-  return std::bit_cast<double>(std::max<std::int64_t>(0, bits + steps));
+  const auto bits = bit_cast<std::int64_t>(number);
+  return bit_cast<double>(std::max<std::int64_t>(0, bits + steps));
 }
 
 // The least double after `low` at which the polynomial has lost the sign it has at `low`. Precondition: at

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hardball/numbers/no_number.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/theory/thermal_motion.hpp"
@@ -35,7 +36,7 @@ PassingPairs passing_in(const World& world) {
   if (!world.interactions().has_passing()) return {};
   std::vector<SpeciesId> present;
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    const auto place = std::ranges::lower_bound(present, world.species(slot));
+    const auto place = ranges::lower_bound(present, world.species(slot));
     if (place == present.end() || *place != world.species(slot)) present.insert(place, world.species(slot));
   }
   PassingPairs found{.any = false, .all = true};

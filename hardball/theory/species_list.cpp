@@ -6,6 +6,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/no_number.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -57,7 +58,7 @@ std::string SpeciesList::suffix(std::size_t species) const {
 bool SpeciesList::restored() const {
   return kinds_.size() <= kMaxSpecies &&
          (kinds_.size() <= 1 ||
-          std::ranges::all_of(species_, [this](std::size_t kind) { return kind < kinds_.size(); }));
+          ranges::all_of(species_, [this](std::size_t kind) { return kind < kinds_.size(); }));
 }
 
 bool SpeciesList::matches(const World& world) const {

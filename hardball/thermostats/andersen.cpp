@@ -8,6 +8,7 @@
 
 #include "hardball/geometry/range.hpp"
 #include "hardball/numbers/event_random.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/thermostats/intervals.hpp"
 #include "hardball/world/images.hpp"
 
@@ -61,7 +62,7 @@ double Andersen::wait(Random& random) const {
 }
 
 bool Andersen::restored() const {
-  return temperature_ > 0 && rate_ > 0 && std::ranges::is_heap(due_, is_later);
+  return temperature_ > 0 && rate_ > 0 && ranges::is_heap(due_, is_later);
 }
 
 }  // namespace hardball

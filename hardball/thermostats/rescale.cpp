@@ -7,6 +7,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/images.hpp"
 
@@ -70,7 +71,7 @@ void Rescale::act_in_slabs(const World& world, const Time& moment, std::vector<N
     energy += world.mass(slot) * dot(thermal, thermal) / 2;
   });
   const auto means =
-      static_cast<std::size_t>(std::ranges::count_if(slabs, [](const Slab& slab) { return slab.mass > 0; }));
+      static_cast<std::size_t>(ranges::count_if(slabs, [](const Slab& slab) { return slab.mass > 0; }));
   const auto freedom = static_cast<double>(world.box().dimensions() * (spheres - means));
   if (!(energy > 0) || !(freedom > 0)) return;
   const double factor = std::sqrt(temperature_ * freedom / (2 * energy));

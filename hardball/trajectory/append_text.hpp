@@ -3,11 +3,11 @@
 #pragma once
 
 #include <array>
-#include <charconv>
 #include <string>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/vec3.hpp"
+#include "hardball/standard/number_text.hpp"
 
 namespace hardball {
 
@@ -15,7 +15,7 @@ namespace hardball {
 template <class Number>
 void append_text(std::string& line, Number number) {
   std::array<char, 32> digits;
-  const auto [end, status] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  const auto [end, status] = to_chars(digits.data(), digits.data() + digits.size(), number);
   HARDBALL_CHECK(status == std::errc());
   line.append(digits.data(), end);
   line += ' ';

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+#include "hardball/standard/ranges.hpp"
 #include "hardball/trajectory/text_formats.hpp"
 
 #include <algorithm>
@@ -128,7 +129,7 @@ constexpr std::size_t kSpellings = 4;  // of which another case would hide the b
 
 bool is_same_but_for_case(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::ranges::equal(a, b, {}, lower, lower);
+  return ranges::equal(a, b, {}, lower, lower);
 }
 
 // Error: the key is one of kKeys in another case, or occurred before.
@@ -138,7 +139,7 @@ void check_key(std::string_view key, bool is_known_before, std::size_t offset, c
       throw Error("the key '" + shortened(key) + "' has another case", location.text(offset),
                   "write " + std::string(known));
   }
-  if (is_known_before && std::ranges::find(kKeys, key) != kKeys.end())
+  if (is_known_before && ranges::find(kKeys, key) != kKeys.end())
     throw Error("the key '" + shortened(key) + "' occurs twice", location.text(offset),
                 "remove one of the two");
 }
@@ -404,8 +405,8 @@ std::optional<std::array<double, count>> numbers_of(const Pairs& pairs, std::str
 bool parse_truth(const Token& token, std::string_view key, const TextLocation& location) {
   constexpr std::array<std::string_view, 5> kTrue{"T", "True", "true", "TRUE", "1"};
   constexpr std::array<std::string_view, 5> kFalse{"F", "False", "false", "FALSE", "0"};
-  if (std::ranges::find(kTrue, token.text) != kTrue.end()) return true;
-  if (std::ranges::find(kFalse, token.text) != kFalse.end()) return false;
+  if (ranges::find(kTrue, token.text) != kTrue.end()) return true;
+  if (ranges::find(kFalse, token.text) != kFalse.end()) return false;
   throw Error(shortened(key) + " is '" + shortened(token.text) + "'", location.text(token.offset),
               "give T or F");
 }
@@ -455,7 +456,7 @@ std::optional<SnapshotBox> box_of(const Pairs& pairs, const TextLocation& locati
   box.is_periodic = periodic_axes(pairs, location);
   if (!pairs.contains("Lattice")) {
     const auto pbc = pairs.find("pbc");
-    if (pbc != pairs.end() && std::ranges::find(box.is_periodic, true) != box.is_periodic.end()) {
+    if (pbc != pairs.end() && ranges::find(box.is_periodic, true) != box.is_periodic.end()) {
       throw Error("pbc says that the box is periodic, and there is no Lattice",
                   location.text(pbc->second.token.offset), "add Lattice, or write pbc=\"F F F\"");
     }

@@ -8,6 +8,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/read_file.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball::gsd {
 namespace {
@@ -56,7 +57,7 @@ File::File(const std::filesystem::path& path) : name_(path.string()), file_(path
     break;
   }
   sorted_ = entries_;
-  std::ranges::stable_sort(sorted_, precedes);
+  ranges::stable_sort(sorted_, precedes);
 }
 
 std::uint64_t File::frames() const {
@@ -73,7 +74,7 @@ const Entry* File::find(std::uint64_t frame, std::string_view name) const {
   Entry sought;
   sought.frame = frame;
   sought.name = number->second;
-  const auto found = std::ranges::lower_bound(sorted_, sought, precedes);
+  const auto found = ranges::lower_bound(sorted_, sought, precedes);
   return found != sorted_.end() && !precedes(sought, *found) ? &*found : nullptr;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/trajectory/gsd_type_names.hpp"
 #include "hardball/trajectory/text_lines.hpp"
 
@@ -209,7 +210,7 @@ Snapshot GsdReader::read(std::size_t frame) {
   });
   each(rows<Vec3>(frame, Chunk::spin, count), [&](Sphere& sphere, const Vec3& spin) { sphere.spin = spin; });
   snapshot.has_spins =
-      std::ranges::any_of(snapshot.spheres, [](const Sphere& sphere) { return sphere.spin != Vec3{}; });
+      ranges::any_of(snapshot.spheres, [](const Sphere& sphere) { return sphere.spin != Vec3{}; });
   each(rows<double>(frame, Chunk::moment, count),
        [](Sphere& sphere, double moment) { sphere.inertia_factor = moment; });
   snapshot.images = rows<Image>(frame, Chunk::image, count);

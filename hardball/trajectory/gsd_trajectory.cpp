@@ -15,6 +15,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checksum.hpp"
 #include "hardball/io/read_file.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/trajectory/gsd_file.hpp"
 #include "hardball/trajectory/gsd_type_names.hpp"
 
@@ -136,7 +137,7 @@ OutputFile GsdTrajectory::open(const std::filesystem::path& path, const Trajecto
   const auto refuse_unless = [&](bool condition, const std::string& problem) {
     if (!condition) throw Error(problem, file.name(), kRestore);
   };
-  refuse_unless(std::ranges::equal(file.names(), gsd::kChunkNames), "has other chunks than hardball writes");
+  refuse_unless(ranges::equal(file.names(), gsd::kChunkNames), "has other chunks than hardball writes");
   entries_ = first_entries(file, position.frames);
   // The index may since have moved to where there is more room.
   header_ = position.head.size() == gsd::kHeaderBytes ? gsd::header_at(position.head.data()) : file.header();
@@ -231,7 +232,7 @@ void GsdTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
                           return static_cast<std::uint32_t>(types.type_of(spheres[i]));
                         }));
   const std::vector<std::string> names = gsd::type_names(types);
-  const std::size_t name_bytes = std::ranges::max(names, {}, &std::string::size).size() + 1;
+  const std::size_t name_bytes = ranges::max(names, {}, &std::string::size).size() + 1;
   gsd::Rows listed{Type::int8, static_cast<std::uint32_t>(name_bytes)};
   for (std::string name : names) {
     name.resize(name_bytes);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+#include "hardball/standard/ranges.hpp"
 #include "hardball/trajectory/text_formats.hpp"
 
 #include <algorithm>
@@ -173,8 +174,8 @@ void DataFile::read_header_line() {
       return;
   }
   constexpr std::array<std::string_view, 4> kTilted{"avec", "bvec", "cvec", "xz"};
-  const bool is_tilted = std::ranges::any_of(
-      tokens, [&](const Token& token) { return std::ranges::find(kTilted, token.text) != kTilted.end(); });
+  const bool is_tilted = ranges::any_of(
+      tokens, [&](const Token& token) { return ranges::find(kTilted, token.text) != kTilted.end(); });
   if (is_tilted) {
     refuse("the box is triclinic, not only tilted along x across y",
            "give a box whose edges lie along the axes");

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+#include "hardball/standard/ranges.hpp"
 #include "hardball/trajectory/text_formats.hpp"
 
 #include <algorithm>
@@ -101,7 +102,7 @@ SnapshotBox read_box(Lines& lines, std::string_view axes) {
   const bool is_tilted = boundaries.size() > kAxes;
   if (is_tilted) boundaries.erase(boundaries.begin(), boundaries.begin() + kAxes);  // xy xz yz
   const auto is_known = [](const Token& boundary) { return is_boundary(boundary.text); };
-  if (boundaries.size() != kAxes || !std::ranges::all_of(boundaries, is_known)) {
+  if (boundaries.size() != kAxes || !ranges::all_of(boundaries, is_known)) {
     throw Error("the boundaries of the box are '" + shortened(axes) + "'", lines.location().text(),
                 "give one for each axis, as in ITEM: BOX BOUNDS pp pp ff");
   }
@@ -234,7 +235,7 @@ Snapshot read_lammps_frame(Lines& lines) {
   std::vector<Token> tokens = tokens_of(names);
   tokens.erase(tokens.begin(), tokens.begin() + 2);  // ITEM: ATOMS
   const DumpColumns columns = dump_columns(std::move(tokens));
-  const bool is_scaled = std::ranges::find(columns.is_scaled, true) != columns.is_scaled.end();
+  const bool is_scaled = ranges::find(columns.is_scaled, true) != columns.is_scaled.end();
   if (is_scaled && !header.box) {
     throw Error("positions are scaled by the box, and the frame has none", lines.location().text(),
                 "add ITEM: BOX BOUNDS before ITEM: ATOMS");
@@ -251,7 +252,7 @@ Snapshot read_lammps_frame(Lines& lines) {
     spheres.add(values, lines.location(), snapshot);
     if (is_scaled) unscale(columns, *snapshot.box, snapshot.spheres.back().position);
   }
-  if (std::ranges::find(columns.is_unfolded, true) != columns.is_unfolded.end()) {
+  if (ranges::find(columns.is_unfolded, true) != columns.is_unfolded.end()) {
     // The images of centers that are not folded are those that folding counts.
     snapshot.images.clear();
     fold_into_box(snapshot, lines.name());

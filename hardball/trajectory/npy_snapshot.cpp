@@ -3,7 +3,6 @@
 #include "hardball/trajectory/npy_snapshot.hpp"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -12,6 +11,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/platform/little_endian.hpp"
+#include "hardball/standard/bit_cast.hpp"
 #include "hardball/trajectory/sphere_columns.hpp"
 #include "hardball/trajectory/sphere_types.hpp"
 
@@ -26,7 +26,7 @@ struct Column {
   std::string_view name;
   char kind = 'f';
   std::size_t bytes = 8;
-  std::size_t offset = 0;
+  std::uint64_t offset = 0;
 };
 
 // Columns for the numbers of a field, which may be those of a vector.
@@ -79,8 +79,8 @@ std::int64_t integer_at(const char* item, const Column& column, const std::strin
 double real_at(const char* item, const Column& column, const std::string& location) {
   const std::uint64_t word = word_at(item, column);
   if (column.kind != 'f') return static_cast<double>(integer_at(item, column, location));
-  if (column.bytes == 8) return std::bit_cast<double>(word);
-  return double{std::bit_cast<float>(static_cast<std::uint32_t>(word))};
+  if (column.bytes == 8) return bit_cast<double>(word);
+  return double{bit_cast<float>(static_cast<std::uint32_t>(word))};
 }
 
 // An integer, perhaps written as a real number.

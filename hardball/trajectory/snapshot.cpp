@@ -10,6 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/images.hpp"
 #include "hardball/world/step_levels.hpp"
 
@@ -83,7 +84,7 @@ std::string Snapshot::location(const std::string& name, std::size_t sphere) cons
 std::size_t Snapshot::sphere_of(std::int64_t id) const {
   if (ids.empty() && id >= 0 && static_cast<std::size_t>(id) < spheres.size())
     return static_cast<std::size_t>(id);
-  const auto found = std::ranges::lower_bound(ids, id);
+  const auto found = ranges::lower_bound(ids, id);
   if (found == ids.end() || *found != id) {
     throw Error("a bond ties sphere " + to_text(id) + ", which the snapshot does not have", "bonds",
                 "tie spheres of the snapshot");

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 namespace {
@@ -39,7 +40,7 @@ std::string name_of(SphereColumn column) {
 SphereColumns::SphereColumns(std::span<const Token> names, const TextLocation& where) : count_(names.size()) {
   for (const Token& name : names) names_.emplace_back(name.text);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto known = std::ranges::find(kSphereColumnNames, names[i].text);
+    const auto known = ranges::find(kSphereColumnNames, names[i].text);
     if (known == kSphereColumnNames.end()) continue;
     std::optional<std::size_t>& index = index_[static_cast<std::size_t>(known - kSphereColumnNames.begin())];
     if (index) {
@@ -56,8 +57,8 @@ SphereColumns::SphereColumns(std::span<const Token> names, const TextLocation& w
   for (const SphereColumn column : kPosition) need(column);
   if (!has(diameter)) need(radius);
   for (const auto& group : {kVelocity, kImage, kSpin}) {
-    if (std::ranges::any_of(group, [&](SphereColumn column) { return has(column); }))
-      std::ranges::for_each(group, need);
+    if (ranges::any_of(group, [&](SphereColumn column) { return has(column); }))
+      ranges::for_each(group, need);
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+#include "hardball/standard/ranges.hpp"
 #include "hardball/trajectory/text_formats.hpp"
 
 #include <algorithm>
@@ -105,7 +106,7 @@ std::optional<SphereColumns> columns_in_comment(std::string_view line, const Tex
 }
 
 bool is_number(std::string text) {
-  std::ranges::replace(text, ',', '.');
+  ranges::replace(text, ',', '.');
   double number = 0;
   return parse(std::string_view(text), number);
 }
@@ -144,7 +145,7 @@ Snapshot read_table(Lines& lines) {
   for (; is_there; is_there = lines.next_text()) {
     if (is_comment(lines.line())) continue;
     std::string line(lines.line());
-    if (separator != ',') std::ranges::replace(line, ',', '.');
+    if (separator != ',') ranges::replace(line, ',', '.');
     const std::vector<Token> numbers = values_of(line, separator, lines.location());
     if (separator == ',' && numbers.size() > columns->size()) {
       throw Error(
@@ -182,7 +183,7 @@ void append_csv_spheres(const Snapshot& snapshot, const SphereTypes& types, cons
       append_text(line, sphere.spin);
       append_text(line, sphere.inertia_factor);
     }
-    std::ranges::replace(line, ' ', ',');
+    ranges::replace(line, ' ', ',');
     line.back() = '\n';
     append(line);
   }

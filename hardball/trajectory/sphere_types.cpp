@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball {
 
 SphereTypes::SphereTypes(std::span<const Sphere> spheres) {
@@ -14,7 +16,7 @@ void SphereTypes::add(SpeciesId species, double radius, double mass) {
   largest_species_ = std::max(largest_species_, species);
   if (has_more_kinds_) return;
   const Kind kind{species, radius, mass};
-  const auto place = std::ranges::lower_bound(kinds_, kind);
+  const auto place = ranges::lower_bound(kinds_, kind);
   if (place != kinds_.end() && *place == kind) return;
   has_more_kinds_ = kinds_.size() == kMostKinds;
   if (has_more_kinds_) {
@@ -33,7 +35,7 @@ void SphereTypes::add(const SphereTypes& others) {
 }
 
 bool SphereTypes::are_finer_than_species() const {
-  return std::ranges::adjacent_find(kinds_, {}, &Kind::species) != kinds_.end();
+  return ranges::adjacent_find(kinds_, {}, &Kind::species) != kinds_.end();
 }
 
 std::size_t SphereTypes::count() const {
@@ -43,7 +45,7 @@ std::size_t SphereTypes::count() const {
 std::size_t SphereTypes::type_of(const Sphere& sphere) const {
   if (!are_finer_than_species()) return sphere.species;
   const Kind kind{sphere.species, sphere.radius, sphere.mass};
-  return static_cast<std::size_t>(std::ranges::lower_bound(kinds_, kind) - kinds_.begin());
+  return static_cast<std::size_t>(ranges::lower_bound(kinds_, kind) - kinds_.begin());
 }
 
 SpeciesId SphereTypes::species_of(std::size_t type) const {

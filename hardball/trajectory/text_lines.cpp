@@ -72,7 +72,7 @@ Lines::Lines(std::unique_ptr<std::istream> in, std::string name, char comment_ma
     : in_(std::move(in)),
       name_(std::move(name)),
       comment_mark_(comment_mark),
-      buffer_(std::make_unique_for_overwrite<char[]>(kLongestLine)) {}
+      buffer_(new char[kLongestLine]) {}
 
 bool Lines::next() {
   while (next_of_any_kind()) {

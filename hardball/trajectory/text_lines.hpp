@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "hardball/errors/language.hpp"
-#include "hardball/platform/from_chars.hpp"
+#include "hardball/standard/number_text.hpp"
 
 namespace hardball {
 
@@ -55,7 +55,7 @@ bool parse(std::string_view text, Number& number) {
     }
   }
   if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, status] = platform::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, status] = from_chars(text.data(), text.data() + text.size(), number);
   return status == std::errc() && end == text.data() + text.size();
 }
 

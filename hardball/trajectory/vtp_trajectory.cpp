@@ -18,6 +18,7 @@
 #include "hardball/io/replace_file.hpp"
 #include "hardball/io/xml_text.hpp"
 #include "hardball/platform/little_endian.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/trajectory/sphere_types.hpp"
 #include "hardball/trajectory/vtp_arrays.hpp"
 
@@ -37,7 +38,7 @@ std::string frame_name(std::uint64_t frame) {
 bool is_frame_name(const std::filesystem::path& name) {
   const std::string stem = name.stem().string();
   return name.extension() == kExtension && stem.size() >= kDigits &&
-         std::ranges::all_of(stem, [](unsigned char c) { return std::isdigit(c) != 0; });
+         ranges::all_of(stem, [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 // Removes the files of the frame of this name and of those that follow.

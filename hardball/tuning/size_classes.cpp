@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "hardball/broadphase/large_sphere_grid.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 
@@ -63,7 +64,7 @@ double cost_rate_by_class(const GasStatistics& statistics, const std::vector<Siz
   // Where regions are no blocks, crossings and searches cost more: measured, docs/theory.md.
   constexpr double kRows = 1.15;
   const bool has_blocks =
-      std::ranges::all_of(classes, [&](const SizeClass& one) { return fits(one) || is_large(one); });
+      ranges::all_of(classes, [&](const SizeClass& one) { return fits(one) || is_large(one); });
   const double in_rows = has_blocks ? 1 : kRows;
   // A sphere is still in cells that it has left.
   constexpr double kReleasedLate = 1.3;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/images.hpp"
 #include "hardball/world/pair_event.hpp"
 #include "hardball/world/static_hash_grid.hpp"
@@ -139,7 +140,7 @@ std::vector<Event> overlaps_of(const World& world, Slot slot, std::span<const Sl
     if (!(dot(separation, separation) < reach * reach)) continue;
     overlaps.push_back(make_collision(now, world.id(slot), world.id(other), image));
   }
-  std::ranges::sort(overlaps);
+  ranges::sort(overlaps);
   overlaps.erase(std::unique(overlaps.begin(), overlaps.end()), overlaps.end());
   return overlaps;
 }

@@ -9,6 +9,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/number.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
@@ -94,7 +95,7 @@ void Box::set_recorded_shear(const Shear& shear) {
 }
 
 bool Box::has_plain_faces() const {
-  return std::ranges::all_of(faces_, [](const FaceProperties& face) { return face == FaceProperties(); });
+  return ranges::all_of(faces_, [](const FaceProperties& face) { return face == FaceProperties(); });
 }
 
 Image Box::count_boxes_beyond(Vec3 position) const {
@@ -139,7 +140,7 @@ bool Box::restored() {
   const auto is_known = [](Boundary boundary) {
     return boundary >= Boundary::wall && boundary <= Boundary::flat;
   };
-  if (!std::ranges::all_of(boundary_, is_known)) return false;
+  if (!ranges::all_of(boundary_, is_known)) return false;
   const std::array<FaceProperties, kFaces> faces = faces_;
   const Shear shear = this->shear();
   *this = Box(boundary_, size_);

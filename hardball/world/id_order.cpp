@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball {
 namespace {
 
@@ -62,7 +64,7 @@ void IdOrder::sort(std::span<const SphereId> ids, SphereId end) {
   if (end > kFew * size_) {
     slots.resize(size_);
     std::iota(slots.begin(), slots.end(), Slot{0});
-    std::ranges::sort(slots, {}, [ids](Slot slot) { return ids[slot]; });
+    ranges::sort(slots, {}, [ids](Slot slot) { return ids[slot]; });
   } else {
     constexpr Slot kNone = std::numeric_limits<Slot>::max();
     slots.assign(end, kNone);

@@ -10,6 +10,7 @@
 
 #include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
@@ -58,7 +59,7 @@ class HARDBALL_EXPORT IdOrder {
 
  private:
   std::size_t chunk_of(std::size_t rank) const {
-    return static_cast<std::size_t>(std::ranges::upper_bound(begins_, rank) - begins_.begin()) - 1;
+    return static_cast<std::size_t>(ranges::upper_bound(begins_, rank) - begins_.begin()) - 1;
   }
   void list_slots();
   void take(std::span<const Slot> slots);

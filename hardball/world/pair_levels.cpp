@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball {
 
 const PairLevel* PairLevels::find(Slot a, Slot b) const {
@@ -25,7 +27,7 @@ void PairLevels::set_one(Slot slot, const PairLevel& pair) {
     pairs_.resize(slot + std::size_t{1});
   }
   std::vector<PairLevel>& pairs = pairs_[slot];
-  const auto found = std::ranges::find(pairs, pair.partner, &PairLevel::partner);
+  const auto found = ranges::find(pairs, pair.partner, &PairLevel::partner);
   if (pair.level > 0) {
     if (found == pairs.end()) {
       pairs.push_back(pair);
@@ -59,7 +61,7 @@ std::vector<std::pair<Slot, PairLevel>> PairLevels::in_order() const {
 
 void PairLevels::rename(Slot from, Slot to) {
   for (const PairLevel& pair : of(from)) {
-    const auto found = std::ranges::find(pairs_[pair.partner], from, &PairLevel::partner);
+    const auto found = ranges::find(pairs_[pair.partner], from, &PairLevel::partner);
     found->partner = to;
   }
 }

@@ -15,6 +15,7 @@
 #include "hardball/geometry/growth.hpp"
 #include "hardball/geometry/motion.hpp"
 #include "hardball/interaction/interactions.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/box.hpp"
 #include "hardball/world/features.hpp"
@@ -49,8 +50,7 @@ class HARDBALL_EXPORT Setting {
   bool has_solids() const { return !obstacles_.is_empty() || !meshes_.empty(); }
   /// Whether all solids rest.
   bool do_solids_rest() const {
-    return std::ranges::all_of(meshes_,
-                               [&](std::uint32_t mesh) { return surface(mesh).velocity() == Vec3{}; });
+    return ranges::all_of(meshes_, [&](std::uint32_t mesh) { return surface(mesh).velocity() == Vec3{}; });
   }
   /// The numbers of all other surfaces.
   std::span<const std::uint32_t> other_surfaces() const { return other_surfaces_; }

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball {
 
@@ -169,9 +170,8 @@ bool Spheres::restored() {
                            fits(species_);
   if (!is_complete) return false;
   std::vector<SphereId> sorted(ids_.begin(), ids_.end());
-  std::ranges::sort(sorted);
-  if (std::ranges::adjacent_find(sorted) != sorted.end() || (count > 0 && sorted.back() >= next_id_))
-    return false;
+  ranges::sort(sorted);
+  if (ranges::adjacent_find(sorted) != sorted.end() || (count > 0 && sorted.back() >= next_id_)) return false;
   for (Slot slot = 0; slot < count; ++slot) {
     if (is_kinematic(slot)) ++kinematic_count_;
   }

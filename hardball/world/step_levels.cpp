@@ -10,6 +10,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/exit_time.hpp"
 #include "hardball/numbers/exact_sum.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/world/images.hpp"
 #include "hardball/world/pair_event.hpp"
 #include "hardball/world/sphere_edit.hpp"
@@ -126,7 +127,7 @@ std::vector<Bond> bonds_of(const World& world) {
     const auto [low, high] = std::minmax({world.id(slot), world.id(pair.partner)});
     bonds.push_back({low, high, pair.potential});
   }
-  std::ranges::sort(bonds);
+  ranges::sort(bonds);
   return bonds;
 }
 
@@ -134,7 +135,7 @@ std::vector<SphereId> partners_of(const World& world, SphereId id) {
   std::vector<SphereId> partners;
   for (const PairLevel& pair : world.pair_levels().of(world.slot_of(id)))
     partners.push_back(world.id(pair.partner));
-  std::ranges::sort(partners);
+  ranges::sort(partners);
   return partners;
 }
 

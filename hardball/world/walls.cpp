@@ -10,6 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/contact_time.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/surfaces/polynomial.hpp"
 #include "hardball/world/totals.hpp"
 
@@ -344,8 +345,8 @@ double distance_to_surfaces(const Setting& setting, const Vec3& position, const 
   const auto note = [&](std::uint32_t number) {
     least = std::min(least, distance_to_surface(setting.box(), setting.surface(number), position, moment));
   };
-  std::ranges::for_each(setting.other_surfaces(), note);
-  std::ranges::for_each(setting.meshes(), note);
+  ranges::for_each(setting.other_surfaces(), note);
+  ranges::for_each(setting.meshes(), note);
   return std::min(least, distance_to_obstacles(setting, position));
 }
 
@@ -353,8 +354,8 @@ bool is_clear_of_surfaces(const Setting& setting, const Vec3& position, double r
   const auto is_clear = [&](std::uint32_t number) {
     return distance_to_surface(setting.box(), setting.surface(number), position, moment) >= radius;
   };
-  if (!std::ranges::all_of(setting.other_surfaces(), is_clear)) return false;
-  if (!std::ranges::all_of(setting.meshes(), is_clear)) return false;
+  if (!ranges::all_of(setting.other_surfaces(), is_clear)) return false;
+  if (!ranges::all_of(setting.meshes(), is_clear)) return false;
   if (setting.obstacles().is_empty()) return true;
   const double reach = radius * (1 + 0x1p-40) + 0x1p-40 * length(position);
   bool clear = true;
@@ -373,9 +374,9 @@ double accessible_volume(const Setting& setting) {
   double obstacles = 0;
   bool is_enclosed = false;
   const bool has_planes =
-      std::ranges::any_of(setting.surfaces(), [](const Surface& surface) { return surface.normal(); });
+      ranges::any_of(setting.surfaces(), [](const Surface& surface) { return surface.normal(); });
   // Planes end a tube or a cone, and enclose nothing by themselves.
-  const bool has_tube = std::ranges::any_of(setting.surfaces(), [](const Surface& surface) {
+  const bool has_tube = ranges::any_of(setting.surfaces(), [](const Surface& surface) {
     return std::holds_alternative<Cylinder>(surface.shape()) || std::holds_alternative<Cone>(surface.shape());
   });
   for (const Surface& surface : setting.surfaces()) {
