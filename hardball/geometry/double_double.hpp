@@ -38,7 +38,7 @@ HARDBALL_ALWAYS_INLINE DoubleDouble<Number> difference(const Number& a, const Nu
 template <class Number>
 HARDBALL_ALWAYS_INLINE DoubleDouble<Number> product(const Number& a, const Number& b) {
   const Number high = a * b;
-  return {high, multiply_subtract(a, b, high)};
+  return {high, product_error(a, b, high)};
 }
 
 /// The sum of two doubles with the double nearest to it as its high part. Precondition: |low| is at most
@@ -95,7 +95,9 @@ HARDBALL_ALWAYS_INLINE DoubleDouble<Number> operator*(const DoubleDouble<Number>
 /// a / b, to 2^-102.
 HARDBALL_ALWAYS_INLINE DoubleDouble<double> divide(const DoubleDouble<double>& a, double b) {
   const double high = a.high / b;
-  return normalized<double>(high, (std::fma(-high, b, a.high) + a.low) / b);
+  const DoubleDouble<double> taken = product(high, b);
+  // The first difference is exact.
+  return normalized<double>(high, (((a.high - taken.high) - taken.low) + a.low) / b);
 }
 
 }  // namespace hardball

@@ -11,7 +11,7 @@ namespace hardball {
 // The formulas of vectors, times, motions and contacts are templates on the number: a double, or a vector of
 // doubles, one of each pair (kernels/). All that they use besides + - * / is here, for doubles. Comparisons
 // of vectors give masks, of which &&, || and ! take lane by lane; a vector has its own select, maximum,
-// square_root, multiply_subtract, round_to_integer, and bits of a mask.
+// square_root, product_error, round_to_integer, and bits of a mask.
 //
 // Such templates are always inlined: they are compiled for wider instructions too, and the linker would take
 // one copy for all.
@@ -28,9 +28,30 @@ HARDBALL_ALWAYS_INLINE double square_root(double a) {
   return std::sqrt(a);
 }
 
-/// a b - c, rounded once. std::fma rounds once on every platform, in hardware or in software.
-HARDBALL_ALWAYS_INLINE double multiply_subtract(double a, double b, double c) {
-  return std::fma(a, b, -c);
+/// a b - product, exactly, `product` being a b as it is rounded, from numbers of half the bits. Source: Dekker,
+/// Numer. Math. 18 (1971) 224. Precondition: neither number exceeds 2^970, nor is the error below the least
+/// normal number.
+template <class Number>
+HARDBALL_ALWAYS_INLINE Number product_error_by_halves(const Number& a, const Number& b,
+                                                      const Number& product) {
+  const Number splitter(0x1p27 + 1);
+  const Number a_wide = splitter * a;
+  const Number b_wide = splitter * b;
+  const Number a_high = a_wide - (a_wide - a);
+  const Number b_high = b_wide - (b_wide - b);
+  const Number a_low = a - a_high;
+  const Number b_low = b - b_high;
+  return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
+/// a b - product, exactly, `product` being a b as it is rounded. std::fma rounds once on every platform, in
+/// hardware or in software; WebAssembly has no such instruction.
+HARDBALL_ALWAYS_INLINE double product_error(double a, double b, double product) {
+#if defined(__wasm__)
+  return product_error_by_halves(a, b, product);
+#else
+  return std::fma(a, b, -product);
+#endif
 }
 
 /// The nearest integer, or of two the even one: adding this number rounds the fraction away. Precondition:

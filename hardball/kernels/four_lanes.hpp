@@ -61,8 +61,8 @@ Lanes operator*(const Lanes& a, const Lanes& b) {
 Lanes operator/(const Lanes& a, const Lanes& b) {
   return _mm256_div_pd(a.v, b.v);
 }
-Lanes multiply_subtract(const Lanes& a, const Lanes& b, const Lanes& c) {
-  return _mm256_fmsub_pd(a.v, b.v, c.v);
+Lanes product_error(const Lanes& a, const Lanes& b, const Lanes& product) {
+  return _mm256_fmsub_pd(a.v, b.v, product.v);
 }
 Lanes maximum(const Lanes& a, const Lanes& b) {
   return _mm256_max_pd(a.v, b.v);

@@ -60,8 +60,12 @@ Lanes operator*(const Lanes& a, const Lanes& b) {
 Lanes operator/(const Lanes& a, const Lanes& b) {
   return a.v / b.v;
 }
-Lanes multiply_subtract(const Lanes& a, const Lanes& b, const Lanes& c) {
-  return Lanes::Vector{std::fma(a.v[0], b.v[0], -c.v[0]), std::fma(a.v[1], b.v[1], -c.v[1])};
+Lanes product_error(const Lanes& a, const Lanes& b, const Lanes& product) {
+#if defined(__wasm__)
+  return product_error_by_halves(a, b, product);
+#else
+  return Lanes::Vector{std::fma(a.v[0], b.v[0], -product.v[0]), std::fma(a.v[1], b.v[1], -product.v[1])};
+#endif
 }
 Lanes::Mask operator<(const Lanes& a, const Lanes& b) {
   return {a.v < b.v};
