@@ -124,7 +124,8 @@ enum {
   HB_SHAPE_CYLINDER = 1,  ///< A tube in which spheres move.
   HB_SHAPE_SPHERE = 2,    ///< A hollow sphere in which spheres move.
   HB_SHAPE_OBSTACLE = 3,  ///< A sphere that spheres bounce off, and that nothing deflects.
-  HB_SHAPE_CONE = 4       ///< A funnel in which spheres move.
+  HB_SHAPE_CONE = 4,      ///< A funnel in which spheres move.
+  HB_SHAPE_PILLAR = 5     ///< A pillar around which spheres move.
 };
 
 /// A wall or an obstacle.
@@ -132,9 +133,10 @@ typedef struct hb_surface {
   size_t struct_size;
   double point[3];   ///< A point of the plane or on the axis, the apex or the center, at time zero [L].
   double normal[3];  ///< Plane: a vector of any length, toward the spheres.
-  double axis[3];    ///< Cylinder, cone: a vector of any length along the axis; from the apex into the cone.
-  double radius;     ///< Cylinder, sphere, obstacle [L].
-  double slope;      ///< Cone: its radius over the distance from its apex [1].
+  double axis[3];  ///< Cylinder, pillar, cone: a vector of any length along the axis; from the apex into the
+                   ///< cone.
+  double radius;   ///< Cylinder, pillar, sphere, obstacle [L].
+  double slope;    ///< Cone: its radius over the distance from its apex [1].
   double velocity[3];  ///< The velocity of the whole surface [L/T].
   double amplitude;    ///< Plane: how far it oscillates along its normal [L]; zero if it does not.
   double frequency;    ///< Plane: that of the oscillation [1/T].
@@ -142,11 +144,13 @@ typedef struct hb_surface {
   double temperature;  ///< k T of a thermal wall [M L^2 T^-2]; HB_ABSENT for a wall that reflects.
   uint64_t seed;       ///< Seed of a thermal wall's random numbers.
   hb_shape shape;
+  /// How rough it is, from -1, smooth, to 1 [1]; HB_ABSENT for a smooth wall.
+  double tangential_restitution;
 } hb_surface;
 #define HB_SURFACE_INIT                                                                                  \
   {                                                                                                      \
     sizeof(hb_surface), {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0, {0, 0, 0}, 0, 0, HB_ABSENT, HB_ABSENT, 0, \
-        HB_SHAPE_PLANE                                                                                   \
+        HB_SHAPE_PLANE, HB_ABSENT                                                                        \
   }
 
 /// What surrounds the spheres: by default, open space.
