@@ -4,19 +4,15 @@
 /// The C API of Hardball: C99 and later, C++, and every language that calls C. docs/c.md introduces it.
 ///
 /// - A function that can fail returns an hb_status, and writes its results only if that is HB_OK.
-/// hb_last_error
-///   then says what is wrong, where, and what to do instead. No exception leaves the library.
+///   hb_last_error then says what is wrong, where, and what to do instead. No exception leaves the library.
 /// - Worlds and simulations are owned by the caller and freed by hb_world_free and hb_free. A simulation is
-/// used
-///   by one thread at a time; functions that take it as const may run at once.
+///   used by one thread at a time. Functions that take it as const may run at once.
 /// - Structs that describe something begin with `struct_size` and are initialized by a macro of theirs, such
-/// as
-///   HB_SPHERE_INIT. They may grow: a program that was compiled with an older header has a smaller
+///   as HB_SPHERE_INIT. They may grow: a program that was compiled with an older header has a smaller
 ///   struct_size, and gets the defaults of what it does not know. Structs of results without a struct_size
 ///   never change.
 /// - Arrays are described by hb_array: a pointer, a stride in bytes, a type. So they may be the fields of
-/// structs
-///   of the caller's own.
+///   structs of the caller's own.
 /// - Units are the caller's: lengths [L], times [T], masses [M]; [1] marks plain numbers.
 #ifndef HARDBALL_H
 #define HARDBALL_H
@@ -131,12 +127,11 @@ enum {
 /// A wall or an obstacle.
 typedef struct hb_surface {
   size_t struct_size;
-  double point[3];   ///< A point of the plane or on the axis, the apex or the center, at time zero [L].
-  double normal[3];  ///< Plane: a vector of any length, toward the spheres.
-  double axis[3];  ///< Cylinder, pillar, cone: a vector of any length along the axis; from the apex into the
-                   ///< cone.
-  double radius;   ///< Cylinder, pillar, sphere, obstacle [L].
-  double slope;    ///< Cone: its radius over the distance from its apex [1].
+  double point[3];     ///< A point of the plane or on the axis, the apex or the center, at time zero [L].
+  double normal[3];    ///< Plane: a vector of any length, toward the spheres.
+  double axis[3];      ///< Cylinder, pillar, cone, from its apex: a vector of any length along the axis.
+  double radius;       ///< Cylinder, pillar, sphere, obstacle [L].
+  double slope;        ///< Cone: its radius over the distance from its apex [1].
   double velocity[3];  ///< The velocity of the whole surface [L/T].
   double amplitude;    ///< Plane: how far it oscillates along its normal [L]; zero if it does not.
   double frequency;    ///< Plane: that of the oscillation [1/T].

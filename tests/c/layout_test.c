@@ -27,7 +27,8 @@ int main(void) {
   CHECK(sizeof(hb_mask) >= 40 && offsetof(hb_mask, walls) == 32);
   CHECK(sizeof(hb_totals) >= 64 && offsetof(hb_totals, mass) == 56);
   /* The last of each enumeration. */
-  CHECK(HB_NO_MEMORY == 4 && HB_U64 == 3 && HB_KIND_WALL == 2 && HB_BOUNDARY_FLAT == 3 && HB_SHAPE_PILLAR == 5);
+  CHECK(HB_NO_MEMORY == 4 && HB_U64 == 3 && HB_KIND_WALL == 2 && HB_BOUNDARY_FLAT == 3 &&
+        HB_SHAPE_PILLAR == 5);
   CHECK(HB_ENGINE_PAPER == 4 && HB_RUN_STOPPED == 3 && HB_OUTCOME_MERGE == 2 && HB_FIELD_USER_DATA == 7);
   return 0;
 }
