@@ -4,19 +4,15 @@
 /// The C API of Hardball: C99 and later, C++, and every language that calls C. docs/c.md introduces it.
 ///
 /// - A function that can fail returns an hb_status, and writes its results only if that is HB_OK.
-/// hb_last_error
-///   then says what is wrong, where, and what to do instead. No exception leaves the library.
+///   hb_last_error then says what is wrong, where, and what to do instead. No exception leaves the library.
 /// - Worlds and simulations are owned by the caller and freed by hb_world_free and hb_free. A simulation is
-/// used
-///   by one thread at a time; functions that take it as const may run at once.
+///   used by one thread at a time. Functions that take it as const may run at once.
 /// - Structs that describe something begin with `struct_size` and are initialized by a macro of theirs, such
-/// as
-///   HB_SPHERE_INIT. They may grow: a program that was compiled with an older header has a smaller
+///   as HB_SPHERE_INIT. They may grow: a program that was compiled with an older header has a smaller
 ///   struct_size, and gets the defaults of what it does not know. Structs of results without a struct_size
 ///   never change.
 /// - Arrays are described by hb_array: a pointer, a stride in bytes, a type. So they may be the fields of
-/// structs
-///   of the caller's own.
+///   structs of the caller's own.
 /// - Units are the caller's: lengths [L], times [T], masses [M]; [1] marks plain numbers.
 #ifndef HARDBALL_H
 #define HARDBALL_H
@@ -124,17 +120,18 @@ enum {
   HB_SHAPE_CYLINDER = 1,  ///< A tube in which spheres move.
   HB_SHAPE_SPHERE = 2,    ///< A hollow sphere in which spheres move.
   HB_SHAPE_OBSTACLE = 3,  ///< A sphere that spheres bounce off, and that nothing deflects.
-  HB_SHAPE_CONE = 4       ///< A funnel in which spheres move.
+  HB_SHAPE_CONE = 4,      ///< A funnel in which spheres move.
+  HB_SHAPE_PILLAR = 5     ///< A pillar around which spheres move.
 };
 
 /// A wall or an obstacle.
 typedef struct hb_surface {
   size_t struct_size;
-  double point[3];   ///< A point of the plane or on the axis, the apex or the center, at time zero [L].
-  double normal[3];  ///< Plane: a vector of any length, toward the spheres.
-  double axis[3];    ///< Cylinder, cone: a vector of any length along the axis; from the apex into the cone.
-  double radius;     ///< Cylinder, sphere, obstacle [L].
-  double slope;      ///< Cone: its radius over the distance from its apex [1].
+  double point[3];     ///< A point of the plane or on the axis, the apex or the center, at time zero [L].
+  double normal[3];    ///< Plane: a vector of any length, toward the spheres.
+  double axis[3];      ///< Cylinder, pillar, cone, from its apex: a vector of any length along the axis.
+  double radius;       ///< Cylinder, pillar, sphere, obstacle [L].
+  double slope;        ///< Cone: its radius over the distance from its apex [1].
   double velocity[3];  ///< The velocity of the whole surface [L/T].
   double amplitude;    ///< Plane: how far it oscillates along its normal [L]; zero if it does not.
   double frequency;    ///< Plane: that of the oscillation [1/T].
@@ -142,11 +139,13 @@ typedef struct hb_surface {
   double temperature;  ///< k T of a thermal wall [M L^2 T^-2]; HB_ABSENT for a wall that reflects.
   uint64_t seed;       ///< Seed of a thermal wall's random numbers.
   hb_shape shape;
+  /// How rough it is, from -1, smooth, to 1 [1]; HB_ABSENT for a smooth wall.
+  double tangential_restitution;
 } hb_surface;
 #define HB_SURFACE_INIT                                                                                  \
   {                                                                                                      \
     sizeof(hb_surface), {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0, {0, 0, 0}, 0, 0, HB_ABSENT, HB_ABSENT, 0, \
-        HB_SHAPE_PLANE                                                                                   \
+        HB_SHAPE_PLANE, HB_ABSENT                                                                        \
   }
 
 /// What surrounds the spheres: by default, open space.

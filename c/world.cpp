@@ -42,6 +42,8 @@ Shape shape_of(const hb_surface& surface) {
       return HollowSphere(surface.radius);
     case HB_SHAPE_OBSTACLE:
       return Obstacle(surface.radius);
+    case HB_SHAPE_PILLAR:
+      return Pillar(direction_of(surface.axis, "axis"), surface.radius);
     case HB_SHAPE_CONE:
       return Cone(direction_of(surface.axis, "axis"), surface.slope);
     default:
@@ -58,6 +60,7 @@ Surface surface_of(const hb_surface& surface) {
           vector_of(surface.point),
           vector_of(surface.velocity),
           {.restitution = if_given(surface.restitution),
+           .tangential_restitution = if_given(surface.tangential_restitution),
            .temperature = if_given(surface.temperature),
            .seed = surface.seed}};
 }

@@ -58,6 +58,8 @@ std::string describe(const Vec3& vector) {
 std::string describe(const SurfaceMaterial& material) {
   std::string text;
   if (material.restitution) text += ", restitution " + readable(*material.restitution);
+  if (material.tangential_restitution)
+    text += ", tangential restitution " + readable(*material.tangential_restitution);
   if (material.temperature) text += ", thermal at kT = " + readable(*material.temperature);
   return text;
 }
@@ -77,7 +79,8 @@ std::string describe(const FaceProperties& face, const Scenario& scenario) {
   std::string text = "face" + describe(face.material);
   if (face.velocity == Vec3{}) return text;
   text += ", moving with " + describe(face.velocity);
-  const bool drags = face.material.temperature || are_walls_rough(scenario);
+  const bool drags =
+      face.material.temperature || face.material.tangential_restitution || are_walls_rough(scenario);
   return text + (drags ? "" : ", which does nothing: it is not thermal, and the spheres are smooth");
 }
 

@@ -64,6 +64,7 @@ void declare(Arguments arguments, PackingText& packing) {
   arguments.add(
       "--container", packing.container, "CONTAINER",
       "Instead of a box: cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, shell:INNER,OUTER, "
+      "annulus:INNER,OUTER,HEIGHT, "
       "cone:DIAMETER,HEIGHT, truncated_cone:BOTTOM,TOP,HEIGHT or slab:X,Y,HEIGHT, with colons between "
       "proportions; or mesh:FILE, a closed mesh, or mesh:FILE,SCALE");
   arguments.add("--phi", packing.phi, "max|FRACTION", "Packing fraction, or max for as dense as spheres jam");

@@ -28,6 +28,10 @@ std::string container_text(const Container& container) {
   }
   if (container.shape == shell)
     return fmt::format("shell between diameters {:.6g} and {:.6g}", container.inner, size.x);
+  if (container.shape == annulus) {
+    return fmt::format("annulus between diameters {:.6g} and {:.6g} of height {:.6g}", container.inner,
+                       size.x, size.z);
+  }
   if (container.shape == truncated_cone) {
     return fmt::format("truncated cone of diameters {:.6g} and {:.6g} and height {:.6g}", container.inner,
                        size.x, size.z);

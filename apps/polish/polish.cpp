@@ -110,7 +110,7 @@ std::vector<Bound> bounds_of_walls_left(const PackedSpheres& spheres, const Step
   const double tolerated = std::max(kRounding, kOfGrowth * step.growth);
   const ContactKey* last = nullptr;
   for (const NearPair& pair : step.pairs) {
-    // The inner sphere of a shell is convex as spheres are.
+    // What is within a shell or an annulus is convex as spheres are.
     const bool may_be_left = pair.bodies.is_wall && (spheres.container.mesh ? pair.bodies.second >= kFaces
                                                                             : pair.bodies.second == kFaces);
     if (!may_be_left || (last && last->first == pair.bodies.first)) continue;

@@ -7,6 +7,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/interaction/restitution.hpp"
+#include "hardball/interaction/roughness.hpp"
 #include "hardball/interaction/thermal_wall.hpp"
 
 namespace hardball {
@@ -15,29 +16,6 @@ namespace {
 void check_not_negative(double value, const char* name, const char* remedy) {
   if (value >= 0 && std::isfinite(value)) return;
   throw Error(std::string(name) + " is " + to_text(value), name, remedy);
-}
-
-// Adds the tangential impulse to what comes after a smooth impact.
-void rub(double tangential_restitution, Contact& contact) {
-  const Vec3 normal = contact.normal();
-  const double first_radius = contact.first_radius;
-  const double second_radius = contact.second_radius;
-  const Vec3 turning =
-      first_radius * contact.spins_before.first + second_radius * contact.spins_before.second;
-  const Vec3 slip = (contact.before.first - contact.before.second) + cross(turning, normal);
-  const Vec3 tangential = slip - dot(slip, normal) * normal;
-  const double first_inverse = 1 / contact.first_mass;
-  const double second_inverse = 1 / contact.second_mass;
-  const double inverse = first_inverse * (1 + 1 / contact.first_inertia_factor) +
-                         second_inverse * (1 + 1 / contact.second_inertia_factor);
-  if (inverse == 0) return;  // a kinematic sphere at a wall
-  const Vec3 impulse = (-(1 + tangential_restitution) / inverse) * tangential;
-  const Vec3 torque = cross(normal, impulse);
-  contact.after.first += first_inverse * impulse;
-  contact.spins_after.first += (first_inverse / (contact.first_inertia_factor * first_radius)) * torque;
-  if (!contact.is_collision()) return;
-  contact.after.second -= second_inverse * impulse;
-  contact.spins_after.second += (second_inverse / (contact.second_inertia_factor * second_radius)) * torque;
 }
 
 }  // namespace
@@ -93,8 +71,11 @@ bool Bounce::decide_by_rules(Contact& contact) const {
     contact.after.first =
         velocity_after_bounce(contact, coefficient_at(contact), least_parting_speed(contact));
   }
-  if (rules_.tangential_restitution) rub(*rules_.tangential_restitution, contact);
-  return rules_.tangential_restitution.has_value();
+  std::optional<double> tangential = rules_.tangential_restitution;
+  if (!contact.is_collision() && contact.wall_material.tangential_restitution)
+    tangential = contact.wall_material.tangential_restitution;
+  if (tangential) rub(*tangential, contact);
+  return tangential.has_value();
 }
 
 }  // namespace hardball

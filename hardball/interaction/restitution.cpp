@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/interaction/roughness.hpp"
 #include "hardball/interaction/thermal_wall.hpp"
 
 namespace hardball {
@@ -46,6 +47,14 @@ Velocities Restitution::bounce(const Contact& contact) const {
       std::fabs(impact_speed) < elastic_below_ ? 1 : contact.wall_material.restitution.value_or(coefficient_);
   after.first = velocity_after_bounce(contact, coefficient, least_parting_speed(contact, elastic_below_));
   return after;
+}
+
+bool Restitution::decide_at_wall(Contact& contact) const {
+  contact.after = bounce(contact);
+  const SurfaceMaterial& material = contact.wall_material;
+  if (!material.tangential_restitution || material.temperature) return false;
+  rub(*material.tangential_restitution, contact);
+  return true;
 }
 
 Vec3 velocity_after_bounce(const Contact& contact, double coefficient, double least_speed) {

@@ -48,7 +48,7 @@ inline double least_parting_speed(const Contact& contact, double elastic_below) 
 
 /// Smooth spheres with a constant coefficient of restitution: the speed of separation along the normal is
 /// this fraction of the speed of approach, and momentum is kept. One is elastic. Walls may have a coefficient
-/// of their own, or a temperature: see SurfaceMaterial.
+/// of their own, be rough, or have a temperature: see SurfaceMaterial.
 ///
 /// Slow impacts may be elastic: then spheres that lose energy collide at a bounded rate, and those that come
 /// to rest under gravity keep bouncing by a height too small to matter. Source: Luding and McNamara, Granular
@@ -63,8 +63,15 @@ class HARDBALL_EXPORT Restitution {
   double coefficient() const { return coefficient_; }
   double elastic_below() const { return elastic_below_; }
   friend bool operator==(const Restitution&, const Restitution&) = default;
+  /// The velocities after a contact of smooth bodies.
   Velocities operator()(const Contact& contact) const {
     return contact.is_collision() ? collide(contact) : bounce(contact);
+  }
+  /// See Response. Walls may be rough.
+  bool decide(Contact& contact) const {
+    if (!contact.is_collision()) return decide_at_wall(contact);
+    contact.after = collide(contact);
+    return false;
   }
 
  private:
@@ -72,6 +79,7 @@ class HARDBALL_EXPORT Restitution {
     return velocities_after_impact(contact, elastic_below_ > 0 && is_slow(contact) ? 1 : coefficient_);
   }
   Velocities bounce(const Contact& contact) const;
+  bool decide_at_wall(Contact& contact) const;
   bool is_slow(const Contact& collision) const;
 
   double coefficient_;

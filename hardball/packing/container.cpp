@@ -76,6 +76,10 @@ std::vector<Surface> Container::surfaces() const {
     const double wider = size.x - inner;
     return {Surface(Cone(up, wider / 2 / size.z), {center.x, center.y, -(inner / wider) * size.z})};
   }
+  if (shape == Shape::annulus) {
+    const Vec3 foot{center.x, center.y, 0};
+    return {Surface(Cylinder(up, radius), foot), Surface(Pillar(up, inner / 2), foot)};
+  }
   if (shape == Shape::shell)
     return {Surface(HollowSphere(radius), center), Surface(Obstacle(inner / 2), center)};
   if (shape == Shape::mesh) return {Surface(MeshShape(hardball::scaled(mesh, scale), MeshSide::inside), {})};
@@ -97,6 +101,10 @@ double Container::wall_area() const {
   if (shape == Shape::mesh) return scale * scale * mesh->area();
   if (shape == Shape::sphere) return whole.sphere_surface(radius);
   if (shape == Shape::shell) return whole.sphere_surface(radius) + whole.sphere_surface(inner / 2);
+  if (shape == Shape::annulus) {
+    const double narrow = inner / 2;
+    return 2 * std::numbers::pi * (radius + narrow) * (radius - narrow + size.z);
+  }
   if (shape == Shape::truncated_cone) {
     const double narrow = inner / 2;
     return disc + std::numbers::pi * narrow * narrow +
@@ -113,6 +121,7 @@ double Container::wall_area() const {
 double Container::largest_radius() const {
   if (shape == Shape::mesh) return scale * inscribed;
   if (shape == Shape::shell) return (size.x - inner) / 4;
+  if (shape == Shape::annulus) return std::min((size.x - inner) / 4, size.z / 2);
   if (shape != Shape::cone && shape != Shape::truncated_cone)
     return largest_fitting_radius(box(), surfaces());
   // The sphere that touches the lid and the mantle, unless it is too high.
@@ -150,12 +159,12 @@ void check(const Container& container, std::string_view where) {
     throw Error("discs do not fit into a cylinder, a cone or a mesh", std::string(where),
                 "give a box, or a sphere or a shell, which are circles for discs");
   }
-  if (container.shape != truncated_cone && container.shape != shell) return;
+  if (container.shape != truncated_cone && container.shape != shell && container.shape != annulus) return;
   check_positive(container.inner, "the smaller diameter", where);
   if (container.inner < container.size.x) return;
   throw Error("the diameters are " + to_text(container.inner) + " and " + to_text(container.size.x),
               std::string(where),
-              container.shape == shell
+              container.shape != truncated_cone
                   ? "give the smaller one first"
                   : "give the smaller one first, at the bottom: a packing can be turned over");
 }

@@ -29,13 +29,14 @@ struct HARDBALL_EXPORT Container {
     mesh,            ///< What a closed mesh encloses.
     truncated_cone,  ///< On its narrow end, with a floor and a lid.
     shell,           ///< Between two spheres about one center.
+    annulus,         ///< Between two upright cylinders about one axis, and two flat ends.
   };
 
   Shape shape = Shape::box;
   std::size_t dimensions = 3;           ///< 2 for discs: then a sphere is a circle.
   Vec3 size = {};                       ///< Size of the box around it [L]; z is zero in two dimensions.
   std::array<bool, kAxes> has_walls{};  ///< The axes along which a box has walls and is not periodic.
-  /// The smaller diameter: of a truncated cone at its bottom, or of the sphere within a shell [L].
+  /// The smaller diameter: of a truncated cone at its bottom, or of what is within a shell or an annulus [L].
   double inner = 0;
   /// The mesh that is filled, before it is scaled; none of other shapes.
   std::shared_ptr<const Mesh> mesh = {};
@@ -70,7 +71,7 @@ struct HARDBALL_EXPORT Container {
   friend bool operator==(const Container&, const Container&) = default;
   static void persist(auto& archive, auto& self) {
     archive(self.shape, self.dimensions, self.size, self.has_walls);
-    archive.require(self.shape <= Shape::shell && (self.dimensions == 2 || self.dimensions == 3));
+    archive.require(self.shape <= Shape::annulus && (self.dimensions == 2 || self.dimensions == 3));
     if (self.shape == Shape::mesh) archive(self.mesh, self.scale, self.inscribed, self.low);
     if (self.shape > Shape::mesh) archive(self.inner);
   }
@@ -81,7 +82,7 @@ struct HARDBALL_EXPORT Container {
 void check(const Container& container, std::string_view where);
 
 template <>
-inline constexpr std::array<std::string_view, 7> kNames<Container::Shape>{
-    "box", "cylinder", "sphere", "cone", "mesh", "truncated_cone", "shell"};
+inline constexpr std::array<std::string_view, 8> kNames<Container::Shape>{
+    "box", "cylinder", "sphere", "cone", "mesh", "truncated_cone", "shell", "annulus"};
 
 }  // namespace hardball

@@ -30,7 +30,7 @@ Fine distance_to_face(const Container& container, Face face, const Vec3& center)
   return face % 2 == 0 ? Fine{center[axis], 0} : difference(container.size[axis], center[axis]);
 }
 
-// From the curved wall of this number; only that of a shell's inner sphere is not the first.
+// From the curved wall of this number; only that within a shell or an annulus is not the first.
 Fine distance_to_curved(const Container& container, std::size_t number, const Vec3& center) {
   using enum Container::Shape;
   const Fine radius{container.size.x / 2, 0};
@@ -40,7 +40,7 @@ Fine distance_to_curved(const Container& container, std::size_t number, const Ve
   if (is_round && container.dimensions == 3) from_axis[2] = difference(center.z, container.size.z / 2);
   const Fine distance = length_of(from_axis);
   if (number > 0) return distance - Fine{container.inner / 2, 0};
-  if (is_round || container.shape == cylinder) return radius - distance;
+  if (is_round || container.shape == cylinder || container.shape == annulus) return radius - distance;
   // Of a point at height z the mantle is (z (R - r) + H r - H rho) / sqrt((R - r)^2 + H^2) away.
   const Fine height{container.size.z, 0};
   const Fine narrow{container.inner / 2, 0};

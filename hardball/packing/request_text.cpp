@@ -108,7 +108,8 @@ void read_container(const PackingText& text, const std::string& prefix, PackingR
   const std::string where = prefix + "container";
   const std::string& whole = *text.container;
   const std::string remedy =
-      "give cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, shell:INNER,OUTER, cone:DIAMETER,HEIGHT, "
+      "give cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, shell:INNER,OUTER, annulus:INNER,OUTER,HEIGHT, "
+      "cone:DIAMETER,HEIGHT, "
       "truncated_cone:BOTTOM,TOP,HEIGHT or slab:X,Y,HEIGHT, with colons between proportions, or mesh:FILE or "
       "mesh:FILE,SCALE";
   const std::size_t colon = whole.find(':');
@@ -133,8 +134,9 @@ void read_container(const PackingText& text, const std::string& prefix, PackingR
     const double outer = lengths.values[1];
     container.size = {outer, outer, request.dimensions == 2 ? 0 : outer};
     request.is_container_size_free = lengths.are_proportions;
-  } else if (name == "truncated_cone") {
-    container.shape = Container::Shape::truncated_cone;
+  } else if (name == "truncated_cone" || name == "annulus") {
+    using enum Container::Shape;
+    container.shape = name == "annulus" ? annulus : truncated_cone;
     const Lengths lengths = parse_lengths(sizes, 3, 3, where, remedy);
     container.inner = lengths.values[0];
     container.size = {lengths.values[1], lengths.values[1], lengths.values[2]};

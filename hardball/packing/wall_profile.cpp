@@ -57,7 +57,7 @@ class Shell {
       return {inner * std::sin(angle), radius_ - inner * std::cos(angle)};
     }
     const double height = lowest() + share * (container_->size.z - lowest());
-    if (container_->shape == Container::Shape::cylinder) return {inner, height};
+    if (!is_conical(*container_)) return {inner, height};
     const Mantle mantle(*container_);
     return {mantle.bottom + mantle.slope * height - distance_ * mantle.secant, height};
   }
@@ -104,7 +104,7 @@ double share_within(const Ring& ring, double from_axis, double height, double ra
   return std::acos(excess / twice) / std::numbers::pi;
 }
 
-// From the curved wall, of a shell from the outer one [L].
+// From the curved wall, of a shell or an annulus from the outer one [L].
 double depth(const Container& container, double from_axis, double height) {
   const double radius = container.size.x / 2;
   if (is_conical(container)) {
@@ -117,7 +117,7 @@ double depth(const Container& container, double from_axis, double height) {
 
 // The largest distance from the curved wall [L].
 double deepest(const Container& container) {
-  if (container.shape == Container::Shape::shell) return (container.size.x - container.inner) / 2;
+  if (!is_conical(container) && container.inner > 0) return (container.size.x - container.inner) / 2;
   return depth(container, 0, is_conical(container) ? container.size.z : container.size.x / 2);
 }
 

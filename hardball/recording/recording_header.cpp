@@ -20,7 +20,8 @@ std::optional<double> restitution_of(const Simulation& simulation) {
 // Whether contacts may turn spheres or merge them.
 bool needs_bodies(const Simulation& simulation) {
   const ResponseTable& table = simulation.world().interactions().table();
-  return simulation.has_custom_response() || table.has_merging() || table.is_rough();
+  return simulation.has_custom_response() || table.has_merging() ||
+         simulation.world().Setting::features().has(Feature::roughness);
 }
 
 }  // namespace

@@ -156,6 +156,8 @@ std::vector<KeyDescription> surface_keys() {
   return {
       key("restitution", number(fraction),
           "the restitution of contacts with it; that of `[response]` if not given", "0.8"),
+      key("tangential_restitution", number(signed_fraction),
+          "how rough it is, by which it turns spheres; that of `[response]` if not given", "0.5"),
       key("temperature", number(not_negative, "M L²/T²"),
           "instead of `restitution`: a thermal wall, which spheres leave with velocities of this kT", "1.0")};
 }
@@ -497,15 +499,17 @@ std::vector<KeyDescription> mesh_keys() {
 
 // What only walls have that stand for several surfaces.
 std::vector<KeyDescription> joined_keys() {
-  const auto& [cone, shell] = kJoinedShapes;
+  const auto& [cone, shell, annulus] = kJoinedShapes;
   return {
       only_for({cone}, required("bottom_radius", number(positive, "L"), "its radius at `point`", "1.0")),
       only_for({cone}, required("top_radius", number(positive, "L"),
                                 "its radius at the other end, which must differ", "4.0")),
-      only_for({cone}, required("height", number(positive, "L"),
-                                "how far along `axis` the other end is; both ends are planes", "6.0")),
-      only_for({shell}, required("inner_radius", number(positive, "L"),
-                                 "the radius of the sphere around which the spheres are", "2.0")),
+      only_for({cone, annulus},
+               required("height", number(positive, "L"),
+                        "how far along `axis` the other end is; both ends are planes", "6.0")),
+      only_for({shell, annulus},
+               required("inner_radius", number(positive, "L"),
+                        "the radius of the sphere or the pillar around which the spheres are", "2.0")),
   };
 }
 
@@ -516,15 +520,17 @@ TableDescription walls_keys() {
   for_each_shape_of_walls([&]<class S>(std::type_identity<S>) {
     shapes.push_back(S::kName);
     points.emplace_back(S::kPoint);
-    if (!std::is_same_v<S, Plane>) around.push_back("a " + std::string(S::kName));
+    if (!std::is_same_v<S, Plane> && !std::is_same_v<S, Pillar>)
+      around.push_back("a " + std::string(S::kName));
   });
   shapes.insert(shapes.end(), kMeshShapes.begin(), kMeshShapes.end());
   shapes.insert(shapes.end(), kJoinedShapes.begin(), kJoinedShapes.end());
-  around.insert(around.end(), {"a truncated cone", "a shell"});
+  around.insert(around.end(), {"a truncated cone", "a shell", "an annulus"});
   for (const char* const point :
        {"the origin of the file of a mesh", "the center of the box", "the center of one end of the capsule",
         "a corner of the plate", "below the first point of the heights",
-        "the center of one end of the truncated cone", "the center of the shell"})
+        "the center of one end of the truncated cone", "the center of the shell",
+        "the center of one end of the annulus"})
     points.emplace_back(point);
   std::vector<KeyDescription> keys{
       required("shape", choice(shapes), "its shape; the spheres are inside " + enumerated(around, " or "),
@@ -533,8 +539,9 @@ TableDescription walls_keys() {
   for (const KeyDescription& key : keys_of_kinds([](const auto& visit) { for_each_shape_of_walls(visit); }))
     keys.push_back(key);
   for (KeyDescription& key : keys) {
-    if (key.name == "radius") key.only_for.insert(key.only_for.end(), {kMeshShapes[2], kJoinedShapes[1]});
-    if (key.name == "axis") key.only_for.push_back(kJoinedShapes[0]);
+    if (key.name == "radius")
+      key.only_for.insert(key.only_for.end(), {kMeshShapes[2], kJoinedShapes[1], kJoinedShapes[2]});
+    if (key.name == "axis") key.only_for.insert(key.only_for.end(), {kJoinedShapes[0], kJoinedShapes[2]});
   }
   for (const KeyDescription& key : mesh_keys()) keys.push_back(key);
   for (const KeyDescription& key : joined_keys()) keys.push_back(key);
@@ -563,7 +570,7 @@ std::string walls_meaning() {
   for (const std::string_view shape : kMeshShapes) {
     shapes.push_back(std::string(shape) + (shape.ends_with("sh") || shape.ends_with('x') ? "es" : "s"));
   }
-  shapes.insert(shapes.end(), {"truncated cones", "shells"});
+  shapes.insert(shapes.end(), {"truncated cones", "shells", "annuli"});
   return "walls besides those of the box: " + enumerated(shapes, " and ");
 }
 

@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 5> kMeshShapes{"mesh", "box", "cap
                                                              "height_field"};
 
 /// The shapes of walls that stand for several surfaces.
-inline constexpr std::array<std::string_view, 2> kJoinedShapes{"truncated_cone", "shell"};
+inline constexpr std::array<std::string_view, 3> kJoinedShapes{"truncated_cone", "shell", "annulus"};
 
 /// What a value is.
 enum class ValueType {

@@ -23,10 +23,14 @@ namespace {
 SurfaceMaterial read_material(const Section& section) {
   SurfaceMaterial material;
   if (const auto restitution = section.find("restitution")) material.restitution = restitution->number();
+  if (const auto tangential = section.find("tangential_restitution"))
+    material.tangential_restitution = tangential->number();
   if (const auto temperature = section.find("temperature")) material.temperature = temperature->number();
-  section.refuse_both("restitution", "temperature",
-                      "remove one of the two: the velocities with which spheres leave a thermal wall do not "
-                      "depend on those before");
+  for (const char* const restitution : {"restitution", "tangential_restitution"})
+    section.refuse_both(
+        restitution, "temperature",
+        "remove one of the two: the velocities with which spheres leave a thermal wall do not "
+        "depend on those before");
   return material;
 }
 
@@ -122,15 +126,37 @@ std::vector<Part> read_truncated_cone(const Section& section, const Vec3& point,
           {Plane(-axis), point + height * axis}};
 }
 
-// A sphere within another. Error: it is not the smaller one.
-std::vector<Part> read_shell(const Section& section, const Vec3& point) {
+// The radii of a shell or an annulus.
+struct Radii {
+  double outer;
+  double inner;
+};
+
+// Error: the inner radius is not the smaller one.
+Radii read_radii_of_both(const Section& section) {
   const double outer = section.need("radius").number();
   const double inner = section.need("inner_radius").number();
   if (inner >= outer) {
-    throw Error("the radii of a shell are " + to_text(outer) + " and " + to_text(inner), section.location(),
+    throw Error("the radii of a wall are " + to_text(outer) + " and " + to_text(inner), section.location(),
                 "give an inner_radius that is smaller than the radius");
   }
+  return {outer, inner};
+}
+
+// A sphere within another.
+std::vector<Part> read_shell(const Section& section, const Vec3& point) {
+  const auto [outer, inner] = read_radii_of_both(section);
   return {{HollowSphere(outer), point}, {Obstacle(inner), point}};
+}
+
+// A pillar within a tube, between two planes across their axis.
+std::vector<Part> read_annulus(const Section& section, const Vec3& point, std::size_t dimensions) {
+  const Vec3 axis = direction_of(section.need("axis"), "axis", dimensions);
+  const auto [outer, inner] = read_radii_of_both(section);
+  return {{Cylinder(axis, outer), point},
+          {Pillar(axis, inner), point},
+          {Plane(axis), point},
+          {Plane(-axis), point + section.need("height").number() * axis}};
 }
 
 // Adds the surfaces of a wall.
@@ -149,6 +175,8 @@ void read_wall(const Section& section, const std::filesystem::path& folder, cons
     parts = read_truncated_cone(section, point, dimensions);
   } else if (kind == kJoinedShapes[1]) {
     parts = read_shell(section, point);
+  } else if (kind == kJoinedShapes[2]) {
+    parts = read_annulus(section, point, dimensions);
   } else {
     Shape shape = *from_description<Shape>(
         kind, [&](const auto& field) { return read_field(section, field, dimensions); });

@@ -27,7 +27,9 @@ bool loses_energy(const BounceRules& rules) {
 }
 
 bool loses_energy(const Scenario& scenario) {
-  const auto is_lossy = [](const SurfaceMaterial& material) { return material.restitution.value_or(1) < 1; };
+  const auto is_lossy = [](const SurfaceMaterial& material) {
+    return material.restitution.value_or(1) < 1 || std::fabs(material.tangential_restitution.value_or(1)) < 1;
+  };
   return loses_energy(scenario.bounce) || any_of_walls(scenario, is_lossy) ||
          ranges::any_of(scenario.pairs, [](const PairDescription& pair) {
            return pair.outcome == ContactOutcome::bounce && loses_energy(pair.bounce);

@@ -18,6 +18,7 @@
 #include "hardball/surfaces/obstacle.hpp"
 #include "hardball/surfaces/oscillating_plane.hpp"
 #include "hardball/surfaces/own_shape.hpp"
+#include "hardball/surfaces/pillar.hpp"
 #include "hardball/surfaces/plane.hpp"
 #include "hardball/surfaces/surface_material.hpp"
 
@@ -32,8 +33,8 @@ namespace hardball {
 /// `towards(position)`; `room()` and `remedy_for_period(axis)`; where they are known, `largest_sphere()`,
 /// `volume(box, point)` and `area(box)`; and if it moves by itself, `rest()`, `displacement_at(moment)` and
 /// `velocity_at(moment)`. Positions are relative to the surface's point.
-using Shape =
-    std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle, Cone, OwnShape, MeshShape>;
+using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle, Cone, OwnShape,
+                           MeshShape, Pillar>;
 
 /// A plane that oscillates along its normal, with this amplitude [L] and frequency [1/T]; the plane itself if
 /// both are zero. Error: it is not a plane.

@@ -27,6 +27,11 @@ void refuse_out_of_plane(const Surface& surface) {
     throw Error("the axis of " + name + " is not z in a box of two dimensions", "walls",
                 "make it (0, 0, 1): a circle around the discs");
   }
+  if (const auto* pillar = std::get_if<Pillar>(&surface.shape())) {
+    if (pillar->axis().x == 0 && pillar->axis().y == 0) return;
+    throw Error("the axis of " + name + " is not z in a box of two dimensions", "walls",
+                "make it (0, 0, 1): a circle among the discs");
+  }
   if (const auto* cone = std::get_if<Cone>(&surface.shape()))
     refuse_out_of_plane(cone->axis(), "the axis of " + name, "walls");
   if (const Vec3* const normal = surface.normal())
@@ -170,6 +175,7 @@ Features features_of_walls(const Box& box, std::span<const Surface> surfaces) {
   const auto add = [&](const SurfaceMaterial& material, const Vec3& velocity) {
     features.add(Feature::moving_walls, velocity != Vec3{});
     features.add(Feature::thermal_walls, material.temperature.has_value());
+    features.add(Feature::roughness, material.tangential_restitution.has_value());
   };
   for (Face face = 0; face < kFaces; ++face) add(box.face(face).material, box.face(face).velocity);
   for (const Surface& surface : surfaces) {

@@ -129,6 +129,9 @@ struct Ends {
 double volume_between(const Cylinder& tube, const Box& /*box*/, const Ends& ends) {
   return std::numbers::pi * tube.radius() * tube.radius() * (ends.high - ends.low);
 }
+double volume_between(const Pillar& pillar, const Box& box, const Ends& ends) {
+  return volume_between(Cylinder(pillar.axis(), pillar.radius()), box, ends);
+}
 double volume_between(const Cone& cone, const Box& box, const Ends& ends) {
   const double near = std::max(0.0, ends.low);
   const double far = std::max(0.0, ends.high);
@@ -137,11 +140,12 @@ double volume_between(const Cone& cone, const Box& box, const Ends& ends) {
   return std::numbers::pi / 3 * slope * slope * (far - near) * (far * far + far * near + near * near);
 }
 
-// The volume of a tube or a cone that planes across its axis cut off [L^3]; NaN if others do, or it goes on.
+// The volume of a tube, a pillar or a cone that planes across its axis cut off, or faces of the box [L^3];
+// NaN if others do, or it goes on.
 template <class S>
 double volume_between_planes(const Setting& setting, const Surface& enclosing, const S& shape) {
   Ends ends;
-  if (const std::size_t along = axis_along(shape.axis()); along < kAxes && setting.box().is_wall(along)) {
+  if (const std::size_t along = axis_along(shape.axis()); along < kAxes && setting.box().is_bounded(along)) {
     const double behind = shape.axis()[along] > 0 ? -enclosing.point()[along]
                                                   : enclosing.point()[along] - setting.box().size()[along];
     ends = {behind, behind + setting.box().size()[along]};
@@ -387,6 +391,11 @@ double accessible_volume(const Setting& setting) {
     }
     if (surface.mesh() && surface.mesh()->spheres() != MeshSide::inside) {
       obstacles += surface.mesh()->displaced_volume();
+      continue;
+    }
+    if (const auto* pillar = std::get_if<Pillar>(&shape)) {
+      obstacles += box.is_flat() ? box.sphere_volume(pillar->radius())
+                                 : volume_between_planes(setting, surface, *pillar);
       continue;
     }
     if (surface.normal() && has_tube) continue;

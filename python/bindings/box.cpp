@@ -73,6 +73,8 @@ FaceProperties properties_of(const py::handle& given, const std::string& face) {
     const std::string name = py::str(key);
     if (name == "restitution") {
       properties.material.restitution = number_of(value, where + ": restitution");
+    } else if (name == "tangential_restitution") {
+      properties.material.tangential_restitution = number_of(value, where + ": tangential_restitution");
     } else if (name == "temperature") {
       properties.material.temperature = number_of(value, where + ": temperature");
     } else if (name == "seed") {
@@ -80,8 +82,9 @@ FaceProperties properties_of(const py::handle& given, const std::string& face) {
     } else if (name == "velocity") {
       properties.velocity = vector_of(value, where + ": velocity", kMayBeFlat);
     } else {
-      throw Error("there is no property '" + name + "'", where,
-                  "choose among 'restitution', 'temperature', 'velocity' and 'seed'");
+      throw Error(
+          "there is no property '" + name + "'", where,
+          "choose among 'restitution', 'tangential_restitution', 'temperature', 'velocity' and 'seed'");
     }
   }
   return properties;
@@ -107,6 +110,8 @@ Typed<"dict[str, dict[str, Any]]"> faces_of(const Box& box) {
     const auto& [material, velocity] = box.face(face);
     py::dict properties;
     if (material.restitution) properties["restitution"] = *material.restitution;
+    if (material.tangential_restitution)
+      properties["tangential_restitution"] = *material.tangential_restitution;
     if (material.temperature) properties["temperature"] = *material.temperature;
     if (velocity != Vec3{}) properties["velocity"] = py::make_tuple(velocity.x, velocity.y, velocity.z);
     if (material.seed != 0) properties["seed"] = material.seed;
@@ -165,6 +170,7 @@ std::string text_of(const Surface& surface) {
   }
   const SurfaceMaterial& material = surface.material();
   if (material.restitution) call.add("restitution", *material.restitution);
+  if (material.tangential_restitution) call.add("tangential_restitution", *material.tangential_restitution);
   if (material.temperature) call.add("temperature", *material.temperature);
   if (material.seed != 0) call.add("seed", to_text(material.seed));
   return call.text();
@@ -190,9 +196,13 @@ double value_of(double number, std::string_view) {
 }
 
 Surface surface_of(const Shape& shape, const ArrayLike& point, const ArrayLike& velocity,
-                   std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
+                   std::optional<double> restitution, std::optional<double> tangential_restitution,
+                   std::optional<double> temperature, std::uint64_t seed) {
   return Surface(shape, vector_of(point, "point", kMayBeFlat), vector_of(velocity, "velocity", kMayBeFlat),
-                 {.restitution = restitution, .temperature = temperature, .seed = seed});
+                 {.restitution = restitution,
+                  .tangential_restitution = tangential_restitution,
+                  .temperature = temperature,
+                  .seed = seed});
 }
 
 // What it is, and the fields that describe it.
@@ -214,8 +224,9 @@ void define(py::class_<Surface>& surface, const auto& make, const std::string& r
   const auto with_fields = [&](const auto&... field) {
     surface.def_static(S::kName.data(), make, py::arg(field.name.data())..., py::arg("point") = origin,
                        py::kw_only(), py::arg("velocity") = origin, extra...,
-                       py::arg("restitution") = py::none(), py::arg("temperature") = py::none(),
-                       py::arg("seed") = 0, (documentation_of<S>() + remark).c_str());
+                       py::arg("restitution") = py::none(), py::arg("tangential_restitution") = py::none(),
+                       py::arg("temperature") = py::none(), py::arg("seed") = 0,
+                       (documentation_of<S>() + remark).c_str());
   };
   std::apply(with_fields, S::fields());
 }
@@ -226,9 +237,10 @@ void bind_shape(py::class_<Surface>& surface) {
     define<S>(
         surface,
         [field...](const Given<Get>&... given, const ArrayLike& point, const ArrayLike& velocity,
-                   std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
-          return surface_of(S{value_of(given, field.name)...}, point, velocity, restitution, temperature,
-                            seed);
+                   std::optional<double> restitution, std::optional<double> tangential_restitution,
+                   std::optional<double> temperature, std::uint64_t seed) {
+          return surface_of(S{value_of(given, field.name)...}, point, velocity, restitution,
+                            tangential_restitution, temperature, seed);
         },
         "");
   };
@@ -239,11 +251,11 @@ void bind_plane(py::class_<Surface>& surface) {
   define<Plane>(
       surface,
       [](const ArrayLike& normal, const ArrayLike& point, const ArrayLike& velocity, double amplitude,
-         double frequency, std::optional<double> restitution, std::optional<double> temperature,
-         std::uint64_t seed) {
+         double frequency, std::optional<double> restitution, std::optional<double> tangential_restitution,
+         std::optional<double> temperature, std::uint64_t seed) {
         const Plane plane(value_of(normal, "normal"));
-        return surface_of(oscillating(plane, amplitude, frequency), point, velocity, restitution, temperature,
-                          seed);
+        return surface_of(oscillating(plane, amplitude, frequency), point, velocity, restitution,
+                          tangential_restitution, temperature, seed);
       },
       " It may move, or oscillate along the normal with `amplitude` [L] and `frequency` [1/T].",
       py::arg("amplitude") = 0.0, py::arg("frequency") = 0.0);
@@ -255,7 +267,8 @@ void bind_mesh(py::class_<Surface>& surface) {
       MeshShape::kName.data(),
       [](const std::shared_ptr<Mesh>& mesh, const ArrayLike& point, const std::string& spheres,
          double thickness, const Faces& groups, const ArrayLike& velocity, std::optional<double> restitution,
-         std::optional<double> temperature, std::uint64_t seed) {
+         std::optional<double> tangential_restitution, std::optional<double> temperature,
+         std::uint64_t seed) {
         MeshShape shape(mesh, value_named<MeshSide>(spheres, "spheres"), thickness);
         if (!groups.is_none() && !py::isinstance<py::dict>(groups))
           throw Error("it is not a dict", "groups", "give one such as {'belt': {'restitution': 0.3}}");
@@ -265,11 +278,12 @@ void bind_mesh(py::class_<Surface>& surface) {
             shape.set_group_material(name, properties_of(value, name).material);
           }
         }
-        return surface_of(shape, point, velocity, restitution, temperature, seed);
+        return surface_of(shape, point, velocity, restitution, tangential_restitution, temperature, seed);
       },
       py::arg("mesh"), py::arg("point") = origin, py::kw_only(), py::arg("spheres") = "both",
       py::arg("thickness") = 0.0, py::arg("groups") = py::none(), py::arg("velocity") = origin,
-      py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
+      py::arg("restitution") = py::none(), py::arg("tangential_restitution") = py::none(),
+      py::arg("temperature") = py::none(), py::arg("seed") = 0,
       "A mesh that spheres touch from both sides. `point` [L]: where the origin of the mesh is. `spheres`: "
       "where they "
       "are placed and stay, 'inside' or 'outside' of a closed mesh, or on 'both' sides. `thickness` [L] is "

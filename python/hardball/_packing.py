@@ -29,8 +29,8 @@ class Packing(_hardball.Packing):
     `separation` [L], the vector from the center of the first to that of the second, or to the wall; and `force`, over
     the mean of all, NaN where it is not known. There are none of spheres that are far from jamming.
 
-    wall_profile() returns distances [L] from the wall of a cylinder, a cone or a sphere, of a shell from the outer one,
-    and the packing fraction there: arrays of shape (steps,), empty in a box or a mesh.
+    wall_profile() returns distances [L] from the wall of a cylinder, a cone or a sphere, of a shell or
+    an annulus from the outer one, and the packing fraction there: arrays of shape (steps,), empty in a box or a mesh.
     """
 
     def simulation(self, temperature: float = 1.0, seed: int = 1) -> Simulation:

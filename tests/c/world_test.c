@@ -170,12 +170,18 @@ static void surfaces_have_the_shapes_of_scenarios(void) {
                                         HB_ABSENT,
                                         HB_ABSENT,
                                         0,
-                                        HB_SHAPE_SPHERE}) == 3);
+                                        HB_SHAPE_SPHERE,
+                                        HB_ABSENT}) == 3);
     shape.shape = HB_SHAPE_CYLINDER;
     shape.point[0] = 0;
     shape.axis[2] = 3;
     shape.radius = 6;
     CHECK(time_of_contact(&shape) == 5);
+    shape.shape = HB_SHAPE_PILLAR;
+    shape.point[0] = 5;
+    shape.radius = 2;
+    CHECK(time_of_contact(&shape) == 2);
+    shape.point[0] = 0;
     shape.shape = HB_SHAPE_CONE;
     shape.point[2] = -5;
     shape.slope = 1;
@@ -203,6 +209,9 @@ static void settings_are_checked(void) {
   surfaces[1].restitution = 2;
   CHECK(hb_world_new(&setting, &world) == HB_BAD_INPUT);
   surfaces[1].restitution = HB_ABSENT;
+  surfaces[1].tangential_restitution = -2;
+  REFUSED(hb_world_new(&setting, &world), "tangential restitution of a surface is -2", "surface");
+  surfaces[1].tangential_restitution = HB_ABSENT;
   surfaces[1].struct_size = 0;
   REFUSED(hb_world_new(&setting, &world), "struct_size is 0", "surfaces");
   surfaces[1].struct_size = sizeof surfaces[1];

@@ -36,6 +36,7 @@ REQUESTS = """
 --count 25 --container cone:4,6 --phi max --rate 0.1
 --count 25 --container truncated_cone:2,4,3 --phi max --rate 0.1
 --count 25 --container shell:2,5 --phi max --rate 0.1
+--count 25 --container annulus:2,5,3 --phi max --rate 0.1
 --count 60 --pressure 10
 --count 30 --walls z --pressure 1e5 --rate 0.1
 --diameter 1 --box 5 --pressure 5
@@ -62,6 +63,8 @@ def volume_of(container, dimensions):
     radius = size[0] / 2
     if container["shape"] == "shell":
         return 4 / 3 * math.pi * (radius**3 - (container["inner"] / 2) ** 3)
+    if container["shape"] == "annulus":
+        return math.pi * size[2] * (radius**2 - (container["inner"] / 2) ** 2)
     if container["shape"] == "truncated_cone":
         narrow = container["inner"] / 2
         return math.pi / 3 * size[2] * (radius**2 + radius * narrow + narrow**2)
@@ -83,7 +86,7 @@ def wall_distances(position, container, dimensions):
     round_axes = dimensions if container["shape"] in ("sphere", "shell") else 2
     from_axis = sum((position[axis] - size[axis] / 2) ** 2 for axis in range(round_axes)).sqrt()
     narrow = Decimal(container.get("inner", 0)) / 2
-    if container["shape"] == "shell":
+    if container["shape"] in ("shell", "annulus"):
         yield from_axis - narrow
     if container["shape"] == "truncated_cone":
         wider = radius - narrow

@@ -44,7 +44,7 @@ class EnginesAgree : public testing::TestWithParam<std::uint64_t> {
       contacts += history->contacts;
     }
     // The worlds have some 50 contacts each on average.
-    EXPECT_GT(contacts, 30 * cases(worlds) / kParts);
+    EXPECT_GT(contacts, 25 * cases(worlds) / kParts);
   }
 };
 

@@ -106,6 +106,7 @@ Surface scaled(const Surface& surface, double length, double speed) {
           return OscillatingPlane(old.normal(), length * old.amplitude(), speed / length * old.frequency());
         }
         if constexpr (std::is_same_v<Old, Cylinder>) return Cylinder(old.axis(), length * old.radius());
+        if constexpr (std::is_same_v<Old, Pillar>) return Pillar(old.axis(), length * old.radius());
         if constexpr (std::is_same_v<Old, HollowSphere>) return HollowSphere(length * old.radius());
         if constexpr (std::is_same_v<Old, MeshShape>) {
           MeshParts parts{{}, {old.mesh().triangles().begin(), old.mesh().triangles().end()}, {}, {}};

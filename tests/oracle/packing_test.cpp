@@ -40,7 +40,7 @@ class RandomRequest {
     if (goal == 0) request_.goal = PackingRequest::Densest{};
     if (goal == 1) request_.goal = PackingRequest::Pressure{std::exp(1 + 10 * random_.uniform())};
     if (goal == 2) request_.rate = 0.03 + random_.uniform();
-    if (pick(8) == 0) request_.gap = 0.01 * random_.uniform();
+    if (pick(9) == 0) request_.gap = 0.01 * random_.uniform();
     return request_;
   }
 
@@ -76,6 +76,8 @@ class RandomRequest {
       container.shape = Container::Shape::shell;
     } else if (shape == 7 && request_.dimensions == 3) {
       container.shape = Container::Shape::truncated_cone;
+    } else if (shape == 8 && request_.dimensions == 3) {
+      container.shape = Container::Shape::annulus;
     } else if (shape < 3 && request_.dimensions == 3) {
       container.shape = shape == 1 ? Container::Shape::cylinder : Container::Shape::cone;
     } else if (shape < 5) {
@@ -85,7 +87,7 @@ class RandomRequest {
     const bool is_round =
         container.shape == Container::Shape::sphere || container.shape == Container::Shape::shell;
     if (is_round && request_.dimensions == 3) container.size.z = container.size.x;
-    if (container.shape == Container::Shape::shell || container.shape == Container::Shape::truncated_cone)
+    if (container.shape >= Container::Shape::truncated_cone)
       container.inner = (0.1 + 0.6 * random_.uniform()) * container.size.x;
     request_.container = container;
     request_.is_container_size_free = pick(2) == 0;
@@ -149,14 +151,16 @@ double overlap_in(const Snapshot& snapshot, const Container& container, bool sin
     if (is_round && dimensions == 3) from_axis += square(at[2] - edges[2] / 2);
     from_axis = sqrt(from_axis);
     const Exact radius = edges[0] / 2;
-    if (container.shape == shell) note(from_axis - Exact(container.inner) / 2, radii[i]);
+    if (container.shape == shell || container.shape == annulus)
+      note(from_axis - Exact(container.inner) / 2, radii[i]);
     if (container.shape == truncated_cone) {
       const Exact narrow = Exact(container.inner) / 2;
       note((at[2] * (radius - narrow) + edges[2] * (narrow - from_axis)) /
                sqrt(square(radius - narrow) + square(edges[2])),
            radii[i]);
     }
-    if (is_round || container.shape == cylinder) note(radius - from_axis, radii[i]);
+    if (is_round || container.shape == cylinder || container.shape == annulus)
+      note(radius - from_axis, radii[i]);
     if (container.shape == cone)
       note((at[2] * radius - edges[2] * from_axis) / sqrt(square(radius) + square(edges[2])), radii[i]);
     const Box ends = container.box();

@@ -114,6 +114,16 @@ Case make_case(Random& random, int shape, bool falls, bool moves, bool grows) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) place[axis] -= along * Quad(direction[axis]);
       return (along * Quad(slope) - norm(place)) / sqrt(1 + Quad(slope) * Quad(slope)) - made.radius_at(t);
     };
+  } else if (shape == 5) {
+    const Vec3 aside = part_across(random.direction(), direction);
+    const Vec3 far = point + 2 / length(aside) * aside;
+    made.surface = Surface(Pillar(direction, 0.9), far, velocity);
+    made.gap = [=, &made](const Quad& t) {
+      Quads place = center(made, t, far, velocity);
+      const Quad along = dot(place, direction);
+      for (std::size_t axis = 0; axis < kAxes; ++axis) place[axis] -= along * Quad(direction[axis]);
+      return norm(place) - Quad(0.9) - made.radius_at(t);
+    };
   } else {
     const Vec3 far = point + 2 * random.direction();
     made.surface = Surface(Obstacle(0.9), far, velocity);
@@ -184,7 +194,7 @@ TEST_P(SurfaceContact, AgreesWithPlainGeometryTo113Bits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shape, SurfaceContact, testing::Range(0, 6));
+INSTANTIATE_TEST_SUITE_P(Shape, SurfaceContact, testing::Range(0, 7));
 
 }  // namespace
 }  // namespace hardball::surfaces_test

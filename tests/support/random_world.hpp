@@ -205,8 +205,10 @@ class RandomWorldMaker {
     SurfaceMaterial material;
     material.seed = seed_;
     if (chance(0.3)) material.restitution = between(0.2, 1);
+    if (chance(0.15) && !grows_) material.tangential_restitution = between(-1, 1);
     if (chance(0.2) && !grows_) {
       material.restitution = std::nullopt;
+      material.tangential_restitution = std::nullopt;
       material.temperature = speed_ * speed_ * between(0.1, 2);
     }
     return material;
@@ -281,6 +283,10 @@ class RandomWorldMaker {
     if (!is_flat() && is_all_walled && chance(0.5)) axis = random_.direction();
     const double narrower = std::min(size_[(along + 1) % kAxes], size_[(along + 2) % kAxes]);
     if (walled.size() < 2) return;
+    if (chance(0.3)) {
+      surfaces.emplace_back(Pillar(axis, between(0.05, 0.2) * narrower), center, Vec3{}, material);
+      return;
+    }
     surfaces.emplace_back(Cylinder(axis, 0.5 * between(0.7, 1) * narrower), center, Vec3{}, material);
   }
 

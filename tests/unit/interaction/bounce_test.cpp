@@ -133,8 +133,7 @@ TEST(Bounce, WithoutRoughnessIsThatOfRestitution) {
   }
 }
 
-// A sphere that rolls onto a floor: what it loses in translation it gains in rotation.
-TEST(Bounce, OffARoughWallTurnsASphere) {
+Contact sphere_on_a_floor() {
   Contact contact;
   contact.kind = EventKind::wall;
   contact.first_radius = contact.reach = 0.5;
@@ -144,6 +143,12 @@ TEST(Bounce, OffARoughWallTurnsASphere) {
   contact.second_since = Time(-kInfinity);
   contact.wall_normal = {0, 0, -1};
   contact.before = contact.after = {{3, 0, -1}, {1, 0, 0}};
+  return contact;
+}
+
+// A sphere that rolls onto a floor: what it loses in translation it gains in rotation.
+TEST(Bounce, OffARoughWallTurnsASphere) {
+  const Contact contact = sphere_on_a_floor();
   const Bounce sticking({.restitution = ConstantRestitution{0.5}, .tangential_restitution = 0});
   const Outcome outcome = sticking(contact);
   // It rolls without slipping on the wall, which moves with velocity 1.
@@ -152,6 +157,27 @@ TEST(Bounce, OffARoughWallTurnsASphere) {
   EXPECT_NEAR(outcome.velocities.first.x - angular * 0.5, 1, 1e-14);
   // 2/7 of the slip goes.
   EXPECT_NEAR(outcome.velocities.first.x, 3 - 2 * 2.0 / 7, 1e-14);
+}
+
+// Whatever the response says of spheres.
+TEST(Bounce, OffAWallOfItsOwnRoughnessIsThatOfARoughResponse) {
+  Contact contact = sphere_on_a_floor();
+  const BounceRules smooth{.restitution = ConstantRestitution{0.5}};
+  BounceRules rough = smooth;
+  rough.tangential_restitution = 0.25;
+  BounceRules rougher = smooth;
+  rougher.tangential_restitution = 0.75;
+  const Outcome expected = Bounce(rough)(contact);
+  ASSERT_NE(expected.spins, contact.spins_before);
+  contact.wall_material.tangential_restitution = 0.25;
+  for (const Outcome& outcome :
+       {Bounce(smooth)(contact), Bounce(rougher)(contact), outcome_of(Restitution(0.5), contact)}) {
+    EXPECT_EQ(outcome.velocities, expected.velocities);
+    EXPECT_EQ(outcome.spins, expected.spins);
+  }
+  contact.wall_material.tangential_restitution = -1;
+  EXPECT_EQ(Bounce(rough)(contact).spins, contact.spins_before);
+  EXPECT_EQ(Bounce(rough)(contact).velocities, Bounce(smooth)(contact).velocities);
 }
 
 TEST(Bounce, OfAKinematicSphereIsThatOffAWall) {

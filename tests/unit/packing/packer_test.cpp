@@ -333,6 +333,7 @@ TEST(Packer, FillsShellsAndTruncatedCones) {
   using Shape = Container::Shape;
   for (const Container& container :
        {Container{.shape = Shape::shell, .size = {6, 6, 6}, .inner = 2},
+        Container{.shape = Shape::annulus, .size = {6, 6, 3}, .inner = 2},
         Container{.shape = Shape::truncated_cone, .size = {5, 5, 4}, .inner = 3},
         Container{.shape = Shape::shell, .dimensions = 2, .size = {6, 6, 0}, .inner = 2}}) {
     for (const bool jams : {false, true}) {

@@ -290,6 +290,11 @@ TEST(Container, HasItsVolumeAreaAndFreeMotions) {
   EXPECT_NEAR(shell.wall_area(), 4 * kPi * (9 + 1), 1e-13);
   EXPECT_EQ(shell.largest_radius(), 1);
   EXPECT_EQ(shell.free_motions(), 3U);
+  const Container annulus{.shape = Container::Shape::annulus, .size = {6, 6, 5}, .inner = 2};
+  EXPECT_NEAR(annulus.volume(), kPi * 5 * (9 - 1), 1e-13);
+  EXPECT_NEAR(annulus.wall_area(), 2 * kPi * ((9 - 1) + 5 * (3 + 1)), 1e-13);
+  EXPECT_EQ(annulus.largest_radius(), 1);
+  EXPECT_EQ(annulus.free_motions(), 1U);
   const Container ring{.shape = Container::Shape::shell, .dimensions = 2, .size = {6, 6, 0}, .inner = 2};
   EXPECT_NEAR(ring.volume(), kPi * 8, 1e-13);
   EXPECT_NEAR(ring.wall_area(), 2 * kPi * 4, 1e-13);

@@ -29,7 +29,8 @@ double area_at(const Container& container, double distance) {
     const double bottom = std::max(0.0, container.inner / 2 - distance * secant);
     return kPi * (top * top - bottom * bottom) * secant / slope;
   }
-  if (container.shape == Container::Shape::cylinder) return 2 * kPi * inner * container.size.z;
+  if (container.shape == Container::Shape::cylinder || container.shape == Container::Shape::annulus)
+    return 2 * kPi * inner * container.size.z;
   const double share = 1 - distance * std::hypot(radius, container.size.z) / (radius * container.size.z);
   return kPi * radius * std::hypot(radius, container.size.z) * share * share;
 }
@@ -54,6 +55,7 @@ std::vector<PackedSpheres> some() {
        {{3.2, 3, 3}, {4.5, 3, 5}, {2.5, 3, 1}},
        {0.9, 0.7, 0.8}},
       {{.shape = Shape::shell, .size = {6, 6, 6}, .inner = 2}, {{3.3, 3, 5}, {1, 3, 3.5}}, {0.9, 0.8}},
+      {{.shape = Shape::annulus, .size = {6, 6, 5}, .inner = 2}, {{3.3, 5, 3}, {1, 3, 1.5}}, {0.9, 0.8}},
       {{.shape = Shape::sphere, .dimensions = 2, .size = {6, 6, 0}}, {{3.3, 3, 0}, {1.2, 3, 0}}, {1, 0.8}},
   };
 }
@@ -91,7 +93,8 @@ TEST(WallProfile, IsTheShareOfPointsWithinSpheres) {
         distance = radius - std::hypot(from_axis, point.z - radius);
       if (container.shape == Container::Shape::cone)
         distance = (point.z * radius - from_axis * container.size.z) / slant;
-      if (!(distance > 0) || (is_shell && distance > radius - container.inner / 2)) continue;
+      const bool is_around = is_shell || container.shape == Container::Shape::annulus;
+      if (!(distance > 0) || (is_around && distance > radius - container.inner / 2)) continue;
       const auto step = static_cast<std::size_t>(distance / profile.width);
       if (step >= all.size()) continue;
       ++all[step];

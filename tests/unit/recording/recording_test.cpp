@@ -129,7 +129,8 @@ std::vector<Surface> every_surface() {
           {Cylinder({0, 0, 1}, 4), {5, 4, 0}, {}, {.temperature = 2.5}},
           {HollowSphere(7), {5, 4, 1}, {}, {.restitution = 0.5}},
           {Cone({0, 0.6, -0.8}, 0.25), {1, 1, 1}},
-          {Obstacle(0.1), {1, 2, 3}}};
+          {Obstacle(0.1), {1, 2, 3}},
+          {Pillar({0, 0.6, 0.8}, 0.5), {1, 0, 0}}};
 }
 
 // What a recording says of surfaces, without restitutions.
@@ -189,8 +190,8 @@ TEST_F(Recording, NumbersSurfacesAfterTheFacesOfTheBox) {
   EXPECT_FALSE(contact.is_collision());
   EXPECT_EQ(contact.second, -11);
   EXPECT_EQ(contact.first_velocity, (Vec3{1, 2, 3}));
-  record_contact_with(11);
-  EXPECT_THROW(RecordingReader(folder_ / "recording.hbr").read(0), Error) << "there are five surfaces";
+  record_contact_with(static_cast<std::uint32_t>(kFaces + every_surface().size()));
+  EXPECT_THROW(RecordingReader(folder_ / "recording.hbr").read(0), Error) << "there is no such surface";
 }
 
 TEST_F(Recording, PathsAreParabolasUnderGravity) {

@@ -61,6 +61,16 @@ TEST(JoinedWalls, OfAShellAreTwoSpheres) {
   EXPECT_NEAR(distance_to_surfaces(world, {0, 0, 3.9}, Time(0)), 0.1, 1e-15);
 }
 
+TEST(JoinedWalls, OfAnAnnulusAreATubeAPillarAndTwoPlanes) {
+  const World world = world_with(
+      "shape = 'annulus'\npoint = [1, 2, 0]\naxis = [0, 0, 1]\nradius = 3\ninner_radius = 1\nheight = 4");
+  ASSERT_EQ(world.surfaces().size(), 4U);
+  EXPECT_NEAR(accessible_volume(world), kPi * 4 * (9 - 1), 1e-13);
+  EXPECT_NEAR(distance_to_surfaces(world, {3.5, 2, 2}, Time(0)), 0.5, 1e-15);
+  EXPECT_NEAR(distance_to_surfaces(world, {2.25, 2, 2}, Time(0)), 0.25, 1e-15);
+  EXPECT_NEAR(distance_to_surfaces(world, {3, 2, 3.9}, Time(0)), 0.1, 1e-15);
+}
+
 TEST(JoinedWalls, AreRefusedWithoutRoom) {
   const auto refused = [](const std::string& wall) {
     return support::refusal_of([&] { scenario_with(wall); });

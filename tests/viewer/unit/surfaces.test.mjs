@@ -50,6 +50,7 @@ test('partners of contacts have names', () => {
 test('every contact with a surface is where sphere and surface touch', () => {
   const surfaces = [
     ...kSurfaces,
+    { shape: 'pillar', point: [0.3, 3.2, 0], direction: [0, 0, 1], radius: 0.4 },
     { shape: 'plane', point: [0, 0, -2], direction: [0, 0, 1], velocity: [0, 0, 0.05] },
   ];
   const { header, radii, chunks } = readRecording(
@@ -89,13 +90,14 @@ test('every contact with a surface is where sphere and surface touch', () => {
     const distance = {
       plane: () => along,
       cylinder: () => Math.sqrt(dot(apart, apart) - along ** 2) - surface.radius,
+      pillar: () => Math.sqrt(dot(apart, apart) - along ** 2) - surface.radius,
       sphere: () => Math.hypot(...apart) - surface.radius,
       obstacle: () => Math.hypot(...apart) - surface.radius,
     }[surface.shape]();
     assertNear(distance, 0, 1e-9);
   }
   assert.ok(chunk.contacts > 20);
-  assert.ok(met.size >= 4, `${[...met]}`);
+  assert.ok(met.size >= 5, `${[...met]}`);
 });
 
 test('an obstacle is touched at its nearest periodic image', () => {

@@ -38,7 +38,7 @@ export function extentOf({ paths, spheres, time, bodies }, box, surfaces, larges
         continue;
       }
       // A cylinder reaches less far along axes to which its own is inclined, and is unbounded along its own.
-      const along = surface.shape === 'cylinder' ? surface.direction[axis] : 0;
+      const along = surface.isAlongAxis ? surface.direction[axis] : 0;
       const reach = surface.radius * Math.sqrt(Math.max(0, 1 - along ** 2));
       if (Math.abs(along) < 0.999) widen(axis, point[axis] - reach, point[axis] + reach);
     }

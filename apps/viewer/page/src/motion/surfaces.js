@@ -10,7 +10,7 @@ export const kBoxFaces = 6;
 export class Surface {
   /** `entry`: as in the header of a recording; `number`: its place in the list there. */
   constructor(entry, number, isDriven = false) {
-    /** "plane", "cylinder", "sphere", "obstacle", "cone" or "mesh". */
+    /** "plane", "cylinder", "pillar", "sphere", "obstacle", "cone" or "mesh". */
     this.shape = entry.shape;
     this.point = entry.point;
     /** Unit normal of a plane, to the side of the spheres; unit vector along an axis. */
@@ -34,6 +34,16 @@ export class Surface {
     /** How it moves at the time shown, unless as at the start: since when, its point then, and its velocity. */
     this.driven = null;
     this.name = `wall ${number}: ${this.shape}`;
+  }
+
+  /** Whether it is unbounded along its axis, with the same radius everywhere. */
+  get isAlongAxis() {
+    return this.shape === 'cylinder' || this.shape === 'pillar';
+  }
+
+  /** Whether spheres are around it, not within. */
+  get isMetFromOutside() {
+    return this.shape === 'obstacle' || this.shape === 'pillar';
   }
 
   get oscillates() {
@@ -73,7 +83,7 @@ export class Surface {
       const nearest = this.mesh.nearest(apart);
       return center.map((place, axis) => place + nearest[axis] - apart[axis]);
     }
-    if (this.shape === 'cylinder' || this.shape === 'cone') {
+    if (this.isAlongAxis || this.shape === 'cone') {
       const along = apart.reduce((sum, part, axis) => sum + part * this.direction[axis], 0);
       for (let axis = 0; axis < 3; ++axis) apart[axis] -= along * this.direction[axis];
     }
@@ -84,7 +94,7 @@ export class Surface {
         apart[axis] = apart[axis] / fromAxis - this.slope * this.direction[axis];
     }
     const distance = Math.hypot(...apart) || 1;
-    const reach = this.shape === 'obstacle' ? -radius : radius;
+    const reach = this.isMetFromOutside ? -radius : radius;
     return center.map((place, axis) => place + (reach * apart[axis]) / distance);
   }
 }

@@ -68,8 +68,8 @@ const kHot = color('c9361f');
 export function surfaceColors(surfaces) {
   const temperatures = surfaces.map((surface) => surface.temperature).filter((value) => value !== null);
   const [least, most] = [Math.min(...temperatures), Math.max(...temperatures)];
-  return surfaces.map(({ temperature, shape }) => {
-    if (temperature === null) return shape === 'obstacle' ? kObstacleColor : kWallColor;
+  return surfaces.map(({ temperature, isMetFromOutside }) => {
+    if (temperature === null) return isMetFromOutside ? kObstacleColor : kWallColor;
     const share = most > least ? (temperature - least) / (most - least) : 1;
     return kCold.map((part, k) => part + share * (kHot[k] - part));
   });

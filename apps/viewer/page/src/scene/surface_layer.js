@@ -5,8 +5,21 @@ import { surfaceColors } from './colors.js';
 import { Obstacles } from './obstacles.js';
 import { CircleWall, ConeWall, CylinderWall, MeshWall, PlaneWall, SphereWall, WedgeWall } from './wall.js';
 
-const kWalls = { plane: PlaneWall, cylinder: CylinderWall, sphere: SphereWall, cone: ConeWall, mesh: MeshWall };
-const kFlatWalls = { plane: PlaneWall, cylinder: CircleWall, sphere: CircleWall, cone: WedgeWall };
+const kWalls = {
+  plane: PlaneWall,
+  cylinder: CylinderWall,
+  pillar: CylinderWall,
+  sphere: SphereWall,
+  cone: ConeWall,
+  mesh: MeshWall,
+};
+const kFlatWalls = {
+  plane: PlaneWall,
+  cylinder: CircleWall,
+  pillar: CircleWall,
+  sphere: CircleWall,
+  cone: WedgeWall,
+};
 const kFlattened = 1e-4; // heights over the plane of two dimensions, so that only lines are seen
 
 /** The surfaces that spheres bounce off, besides the faces of the box, where they are at the time shown. */

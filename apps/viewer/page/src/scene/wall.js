@@ -126,7 +126,7 @@ function wallAround({ direction }, [from, to], tint, shared) {
   return wall;
 }
 
-/** A cylinder within the box, with the spheres inside. */
+/** A cylinder within the box, with the spheres inside, or outside if it is a pillar. */
 export class CylinderWall extends Wall {
   constructor(surface, tint, shared) {
     super(surface, wallAround(surface, [1, 1], tint, shared));
@@ -214,7 +214,7 @@ export class MeshWall extends Wall {
   }
 }
 
-/** What a cylinder along z, or a sphere, is in two dimensions: a circle, with the discs inside. */
+/** What a cylinder or a pillar along z, or a sphere, is in two dimensions: a circle. */
 export class CircleWall extends Wall {
   constructor(surface, tint) {
     const angles = Array.from({ length: 16 * kLinesAround }, (_, k) => (k * Math.PI) / (8 * kLinesAround));
