@@ -337,6 +337,8 @@ HB_API const hb_contact* hb_contacts(const hb_simulation* simulation, size_t* co
 HB_API double hb_time(const hb_simulation* simulation);
 /// How many spheres there are; zero for NULL.
 HB_API size_t hb_size(const hb_simulation* simulation);
+/// The edges of the box [L], zero along open and flat axes, and what lies at its ends. Either may be NULL.
+HB_API hb_status hb_get_box(const hb_simulation* simulation, double size[3], hb_boundary boundary[3]);
 /// The hash of all contacts so far: equal histories have equal hashes, in every language. Zero for NULL.
 HB_API uint64_t hb_hash(const hb_simulation* simulation);
 /// How many collisions there have been; zero for NULL.

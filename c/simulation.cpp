@@ -273,6 +273,15 @@ std::size_t hb_size(const hb_simulation* simulation) {
   return value_or<std::size_t>(0, [&] { return given(simulation, "simulation").simulation.size(); });
 }
 
+hb_status hb_get_box(const hb_simulation* simulation, double size[3], hb_boundary boundary[3]) {
+  return guarded([&] {
+    const hardball::Box& box = given(simulation, "simulation").simulation.world().box();
+    if (size != nullptr) store(box.size(), size);
+    for (std::size_t axis = 0; boundary != nullptr && axis < hardball::kAxes; ++axis)
+      boundary[axis] = static_cast<hb_boundary>(box.boundary(axis));
+  });
+}
+
 std::uint64_t hb_hash(const hb_simulation* simulation) {
   return value_or<std::uint64_t>(0,
                                  [&] { return given(simulation, "simulation").simulation.event_log_hash(); });

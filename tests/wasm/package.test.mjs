@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The npm package, as it is built in the folder that HARDBALL_PACKAGE names, in node: in workers and in this thread.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import test from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+const package_ = process.env.HARDBALL_PACKAGE;
+const { open, load, check, HardballError } = await import(pathToFileURL(join(package_, 'index.js')));
+
+const kGas = `
+[box]
+size = [10.0, 10.0, 10.0]
+boundary = ["periodic", "periodic", "periodic"]
+
+[[spheres]]
+count = 200
+radius = 0.4
+temperature = 1.0
+
+[run]
+seed = 3
+until = 2.0
+`;
+
+const kRest = `
+[box]
+boundary = ["open", "open", "open"]
+
+[[spheres]]
+positions = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]]
+velocities = [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
+radius = 0.5
+`;
+
+for (const worker of [true, false]) {
+  const where = worker ? 'in a worker' : 'in this thread';
+
+  test(`a run has the same history however it is cut into slices, ${where}`, async () => {
+    const hashes = [];
+    for (const slice of [1000, 0.2]) {
+      const gas = await open(kGas, { worker });
+      assert.deepEqual(gas.box, { size: [10, 10, 10], boundary: ['periodic', 'periodic', 'periodic'] });
+      assert.equal(gas.until, 2);
+      let told = 0;
+      const status = await gas.run({ until: gas.until, slice, onProgress: () => ++told });
+      assert.equal(status.reason, 'time');
+      assert.equal(status.time, 2);
+      assert.ok(status.collisions > 100 && (slice > 1 || told > 2), `${status.collisions} ${told}`);
+      hashes.push(status.hash);
+      gas.close();
+    }
+    assert.equal(hashes[0], hashes[1]);
+  });
+
+  test(`what is saved goes on to the same history, ${where}`, async () => {
+    const gas = await open(kGas, { worker });
+    await gas.run({ until: 1 });
+    const saved = await load(await gas.save(), { worker });
+    const [straight, resumed] = [await gas.run({ until: 2 }), await saved.run({ until: 2 })];
+    assert.deepEqual(resumed, straight);
+    gas.close();
+    saved.close();
+  });
+
+  test(`contacts come as columns, ${where}`, async () => {
+    const pair = await open(kRest, { worker });
+    assert.deepEqual(await pair.nextContact(), { time: 3, kind: 'collision', first: 0, second: 1 });
+    assert.equal(await pair.nextContact(2.5), null);
+    await pair.keepContacts(true);
+    await pair.run({ until: 10 });
+    const contacts = await pair.contacts();
+    assert.equal(contacts.length, 1);
+    assert.deepEqual([...contacts.time], [3]);
+    assert.deepEqual([...contacts.kind], [1]);
+    assert.deepEqual([contacts.first[0], contacts.second[0]], [0, 1]);
+    assert.deepEqual([...contacts.point], [3.5, 0, 0]);
+    assert.deepEqual([...contacts.normal], [1, 0, 0]);
+    assert.deepEqual([...contacts.impulse], [-1, 0, 0]);
+    assert.deepEqual([...contacts.impactSpeed], [1]);
+    assert.equal((await pair.contacts()).length, 0);
+    pair.close();
+  });
+
+  test(`arrays are given and come back, ${where}`, async () => {
+    const pair = await open(kRest, { worker });
+    await pair.run({ until: 1 });
+    assert.deepEqual([...(await pair.positions())], [1, 0, 0, 4, 0, 0]);
+    const given = new Float32Array(6);
+    const { buffer } = given;
+    const back = await pair.positions(given);
+    assert.ok(back instanceof Float32Array);
+    assert.deepEqual([...back], [1, 0, 0, 4, 0, 0]);
+    assert.equal(buffer.byteLength, worker ? 0 : 24, 'with a worker it moves');
+    assert.deepEqual([...(await pair.radii())], [0.5, 0.5]);
+    assert.deepEqual([...(await pair.ids())], [0, 1]);
+    assert.deepEqual([...(await pair.species())], [0, 0]);
+    pair.close();
+  });
+
+  test(`spheres are added, removed, driven and hit by rays, ${where}`, async () => {
+    const pair = await open(kRest, { worker });
+    await pair.setVelocities([0], [0, 1, 0]);
+    assert.deepEqual([...(await pair.velocities())], [0, 1, 0, 0, 0, 0]);
+    assert.equal(await pair.add({ position: [0, 5, 0], radius: 1, mass: 2 }), 2);
+    assert.deepEqual(await pair.nextContact(), { time: 3.5, kind: 'collision', first: 0, second: 2 });
+    const [hit, miss] = await pair.rays([0, -2, 0, 0, -2, 0], [0, 2, 0, 0, -1, 0]);
+    assert.equal(miss, null);
+    assert.deepEqual(hit, { kind: 'collision', body: 0, distance: 1.5, point: [0, -0.5, 0], normal: [0, -1, 0] });
+    await pair.remove(2);
+    assert.equal((await pair.status()).spheres, 2);
+    assert.equal((await pair.totals()).mass, 2);
+    await assert.rejects(pair.remove(2), HardballError);
+    await assert.rejects(pair.setVelocities([0], [1, 2]), /3|three/);
+    pair.close();
+  });
+
+  test(`errors have a place and a remedy, ${where}`, async () => {
+    const bad = kGas.replace('radius = 0.4', 'radius = -0.4');
+    const error = await check(bad, { worker, name: 'gas.toml' });
+    assert.ok(error instanceof HardballError);
+    assert.match(error.where, /^gas\.toml:8:\d+$/);
+    assert.equal(error.place.line, 8);
+    assert.match(error.problem, /-0\.4/);
+    assert.ok(error.remedy.length > 0);
+    assert.equal(error.message, `${error.where}: ${error.problem}; ${error.remedy}`);
+    assert.equal(await check(kGas, { worker }), null);
+    assert.equal((await check(kGas, { worker, values: { 'run.seed': -1 } })).place, null);
+    await assert.rejects(open(kGas, { worker, engine: 'none' }), /there is no engine 'none'/);
+    await assert.rejects(load(new Uint8Array(100), { worker }), HardballError);
+    const gas = await open(kGas, { worker });
+    await assert.rejects(gas.run({ until: -1 }), HardballError);
+    assert.equal((await gas.run({ until: 0.1 })).time, 0.1);
+    gas.close();
+  });
+
+  test(`a run is stopped between slices, ${where}`, async () => {
+    const gas = await open(kGas, { worker });
+    const abort = new AbortController();
+    const status = await gas.run({ until: 1e6, signal: abort.signal, onProgress: () => abort.abort() });
+    assert.equal(status.reason, 'stopped');
+    assert.ok(status.time < 1e6);
+    await assert.rejects(gas.run({ signal: AbortSignal.abort() }), { name: 'AbortError' });
+    const running = gas.run({ until: 1e6 });
+    assert.ok((await gas.status()).time >= status.time);
+    await gas.stop();
+    assert.equal((await running).reason, 'stopped');
+    gas.close();
+  });
+}
+
+test('scenarios read the files that are given', async () => {
+  const folder = new URL('../../scenarios/', import.meta.url);
+  const text = readFileSync(new URL('hourglass.toml', folder), 'utf8');
+  const mesh = readFileSync(new URL('hourglass.obj', folder));
+  const error = await check(text);
+  assert.match(error.problem + error.where, /hourglass\.obj/);
+  assert.doesNotMatch(error.message, /\/scenario\d/, 'names are those that were given');
+  const glass = await open(text, { files: { 'hourglass.obj': mesh } });
+  assert.ok((await glass.run({ contacts: 500 })).wallContacts > 0);
+  glass.close();
+});
+
+test('the package is installed into an empty project, and found with its types', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'hardball_package_'));
+  const run = (command, parts) => execFileSync(command, parts, { cwd: folder, encoding: 'utf8', stdio: 'pipe' });
+  const [{ filename, files }] = JSON.parse(run('npm', ['pack', '--json', package_]));
+  for (const name of ['index.js', 'index.d.ts', 'module.wasm', 'module.js', 'worker.js', 'README.md', 'LICENSE'])
+    assert.ok(files.some(({ path }) => path === name), `${name} is in the package`);
+  writeFileSync(join(folder, 'package.json'), '{ "type": "module", "private": true }');
+  run('npm', ['install', '--offline', '--no-audit', '--no-fund', join(folder, filename)]);
+  writeFileSync(
+    join(folder, 'try.js'),
+    `import { open } from 'hardball';
+     const gas = await open(${JSON.stringify(kGas)});
+     console.log((await gas.run({ until: 2 })).hash);
+     gas.close();`,
+  );
+  assert.match(run('node', ['try.js']), /^[0-9a-f]{16}\n$/);
+});
