@@ -1,7 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The Hardball authors
  * SPDX-License-Identifier: MIT */
 
-/* Where the members of the structs of the C API lie in the memory of the module, as package/layout.js has it. */
+/* Where the members of the structs of the C API lie in the memory of the module, as package/layout.js has it.
+ */
 #include <stddef.h>
 
 #include "hardball.h"

@@ -28,9 +28,9 @@ HARDBALL_ALWAYS_INLINE double square_root(double a) {
   return std::sqrt(a);
 }
 
-/// a b - product, exactly, `product` being a b as it is rounded, from numbers of half the bits. Source: Dekker,
-/// Numer. Math. 18 (1971) 224. Precondition: neither number exceeds 2^970, nor is the error below the least
-/// normal number.
+/// a b - product, exactly, `product` being a b as it is rounded, from numbers of half the bits. Source:
+/// Dekker, Numer. Math. 18 (1971) 224. Precondition: neither number exceeds 2^970, nor is the error below the
+/// least normal number.
 template <class Number>
 HARDBALL_ALWAYS_INLINE Number product_error_by_halves(const Number& a, const Number& b,
                                                       const Number& product) {

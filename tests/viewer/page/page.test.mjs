@@ -271,15 +271,12 @@ test('a replay is shown within the page of a notebook', async () => {
     const inside = (await readFile(path, 'utf8')).replaceAll('&', '&amp;').replaceAll('"', '&quot;');
     const notebook = join(folder, 'notebook.html');
     await writeFile(notebook, `<!doctype html><p>A cell.</p><iframe srcdoc="${inside}" width="800" height="600"></iframe>`);
-    const page = await browser.browser.newPage();
-    const errors = [];
-    page.on('pageerror', (error) => errors.push(error.message));
-    await page.goto(pathToFileURL(notebook).href);
+    const page = await browser.openPage(pathToFileURL(notebook).href);
     const frame = await (await page.waitForSelector('iframe')).contentFrame();
     await frame.waitForFunction(() => window.hardball?.state().isReady, null, { timeout: 120_000 });
     assert.equal(await frame.evaluate(() => window.hardball.state().spheres), 2);
     assert.equal(await frame.textContent('#count-spheres'), '2');
-    assert.deepEqual(errors, []);
+    assert.deepEqual(page.errors, []);
     await page.close();
   });
 });

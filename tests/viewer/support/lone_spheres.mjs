@@ -86,7 +86,7 @@ function wallOf(surface, radius) {
     );
   const apart = (place, time) => {
     const difference = place.map((part, k) => part - pointAt(time)[k]);
-    if (shape !== 'cylinder') return difference;
+    if (shape !== 'cylinder' && shape !== 'pillar') return difference;
     const along = dot(difference, direction);
     return difference.map((part, k) => part - along * direction[k]);
   };
@@ -98,7 +98,7 @@ function wallOf(surface, radius) {
       restitution,
     };
   }
-  const side = shape === 'obstacle' ? 1 : -1;
+  const side = shape === 'obstacle' || shape === 'pillar' ? 1 : -1;
   const normal = (place, time) => {
     const difference = apart(place, time);
     return difference.map((part) => (side * part) / Math.hypot(...difference));

@@ -50,7 +50,7 @@ test('partners of contacts have names', () => {
 test('every contact with a surface is where sphere and surface touch', () => {
   const surfaces = [
     ...kSurfaces,
-    { shape: 'pillar', point: [0.3, 3.2, 0], direction: [0, 0, 1], radius: 0.4 },
+    { shape: 'pillar', point: [3, 2.6, 0], direction: [0, 0, 1], radius: 0.3 },
     { shape: 'plane', point: [0, 0, -2], direction: [0, 0, 1], velocity: [0, 0, 0.05] },
   ];
   const { header, radii, chunks } = readRecording(
