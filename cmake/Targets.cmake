@@ -43,7 +43,9 @@ endfunction()
 
 # Options of code in which runs spend little time: it compiles in two thirds of the time. Histories do not depend on it.
 set(hardball_cold_options)
-if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+if(EMSCRIPTEN)
+  set(hardball_cold_options $<$<CONFIG:Release,RelWithDebInfo>:-Oz>)
+elseif(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(hardball_cold_options $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
 endif()
 

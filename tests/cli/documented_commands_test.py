@@ -18,7 +18,7 @@ import tempfile
 from pathlib import Path
 
 # Tested with the package in a bare system, as projects and packages of tests, or on other platforms; chromium makes a figure of the pages.
-OTHERS = {"apt-get", "cc", "cd", "chromium", "cmake", "g++", "git", "make_root.sh", "man", "mpiexec", "my_game", "pip", "python3",
+OTHERS = {"apt-get", "cc", "cd", "chromium", "cmake", "g++", "git", "make_root.sh", "man", "mpiexec", "my_game", "npm", "pip", "python3",
           "sbatch", "snakemake"}
 PATIENCE = 300
 

@@ -19,6 +19,7 @@ size = [10.0, 10.0, 10.0]
 boundary = ["periodic", "periodic", "periodic"]
 
 [[spheres]]
+placement = "random"
 count = 200
 radius = 0.4
 temperature = 1.0
@@ -124,8 +125,8 @@ for (const worker of [true, false]) {
     const bad = kGas.replace('radius = 0.4', 'radius = -0.4');
     const error = await check(bad, { worker, name: 'gas.toml' });
     assert.ok(error instanceof HardballError);
-    assert.match(error.where, /^gas\.toml:8:\d+$/);
-    assert.equal(error.place.line, 8);
+    assert.match(error.where, /^gas\.toml:9:\d+$/);
+    assert.equal(error.place.line, 9);
     assert.match(error.problem, /-0\.4/);
     assert.ok(error.remedy.length > 0);
     assert.equal(error.message, `${error.where}: ${error.problem}; ${error.remedy}`);
@@ -181,5 +182,11 @@ test('the package is installed into an empty project, and found with its types',
      console.log((await gas.run({ until: 2 })).hash);
      gas.close();`,
   );
-  assert.match(run('node', ['try.js']), /^[0-9a-f]{16}\n$/);
+  const hash = run('node', ['try.js']);
+  assert.match(hash, /^[0-9a-f]{16}\n$/);
+  // The program of the docs runs the same gas.
+  const page = readFileSync(new URL('../../docs/webassembly.md', import.meta.url), 'utf8');
+  const [, program] = page.match(/```js\n(.*?)```/s);
+  writeFileSync(join(folder, 'documented.js'), `${program}console.log(hash, positions.length);`);
+  assert.equal(run('node', ['documented.js']), `${hash.trim()} 600\n`);
 });
