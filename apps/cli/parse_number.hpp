@@ -5,7 +5,7 @@
 #include <string>
 
 #include "hardball/error.hpp"
-#include "hardball/platform/from_chars.hpp"
+#include "hardball/standard/number_text.hpp"
 
 namespace hardball::cli {
 
@@ -13,7 +13,7 @@ namespace hardball::cli {
 template <class Number>
 Number parse_number(const std::string& text, const std::string& option, const std::string& remedy) {
   Number number{};
-  const auto [end, status] = platform::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, status] = from_chars(text.data(), text.data() + text.size(), number);
   if (status == std::errc() && end == text.data() + text.size()) return number;
   throw Error("'" + shortened(text) + "' is not accepted", option, remedy);
 }
