@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The hashes of all scenarios in a page of Chromium, each in a worker, and the size of what the page loads.
+// In pages of Chromium: the hashes of all scenarios, each in a worker, the example with three.js, and the size of what is loaded.
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -11,6 +11,7 @@ import { brotliCompressSync } from 'node:zlib';
 import { Browser } from '../viewer/support/browser.mjs';
 
 const package_ = process.env.HARDBALL_PACKAGE;
+const packages = process.env.HARDBALL_TEST_PACKAGES;
 const scenarios = new URL('../../scenarios/', import.meta.url);
 const kMostContacts = 3000; // of tests/golden/scenario_hashes.c
 
@@ -19,26 +20,40 @@ const kTypes = { js: 'text/javascript', wasm: 'application/wasm', html: 'text/ht
 // Without an icon a browser would ask for one.
 const kPage = '<!doctype html><title>Hardball</title><link rel="icon" href="data:,">';
 
-// The files of the package, as any server of static files has them, without the headers that shared memory needs.
-async function serve() {
+const kExample = new URL('../../examples/web/', import.meta.url);
+
+function contentOf(url) {
+  if (url === '/') return kPage;
+  if (url === '/example/') return readFileSync(new URL('index.html', kExample));
+  // As npm installs them.
+  const [, installed, name, path] = url.match(/^(\/example\/node_modules\/)?(hardball|three)?\/?(.*)/);
+  return readFileSync(installed && name === 'three' ? join(packages, 'node_modules/three', path) : join(package_, path));
+}
+
+// The files of the package and of the example, as any server of static files has them, without the headers that shared
+// memory needs.
+async function withBrowser(use) {
   const server = createServer(({ url }, response) => {
-    const name = url === '/' ? 'page.html' : url.slice(1);
     try {
-      const content = name === 'page.html' ? kPage : readFileSync(join(package_, name));
-      response.writeHead(200, { 'content-type': kTypes[name.split('.').at(-1)] ?? 'text/plain' }).end(content);
+      const type = kTypes[url.split('.').at(-1)] ?? 'text/html';
+      response.writeHead(200, { 'content-type': type }).end(contentOf(url));
     } catch {
       response.writeHead(404).end();
     }
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  return server;
+  const browser = await Browser.launch();
+  try {
+    await use(browser, `http://127.0.0.1:${server.address().port}/`);
+  } finally {
+    await browser.close();
+    server.close();
+  }
 }
 
 test('every scenario has its native hash in a page', async () => {
-  const server = await serve();
-  const browser = await Browser.launch();
-  try {
-    const page = await browser.openPage(`http://127.0.0.1:${server.address().port}/`);
+  await withBrowser(async (browser, address) => {
+    const page = await browser.openPage(address);
     const files = Object.fromEntries(
       readdirSync(scenarios)
         .filter((name) => /\.(obj|txt|csv)$/.test(name))
@@ -62,10 +77,24 @@ test('every scenario has its native hash in a page', async () => {
       assert.equal(`${name} ${found}`, `${name} ${hash}`);
     }
     assert.deepEqual(page.errors, []);
-  } finally {
-    await browser.close();
-    server.close();
-  }
+  });
+});
+
+test('the example with three.js draws spheres that move', async () => {
+  await withBrowser(async (browser, address) => {
+    const page = await browser.openPage(`${address}example/`, { width: 300, height: 200 });
+    await page.waitForSelector('canvas');
+    const first = await page.screenshot();
+    const blank = await page.evaluate(() => document.querySelector('canvas').width === 0);
+    assert.ok(!blank);
+    let later = first;
+    for (let look = 0; look < 100 && later.equals(first); ++look) {
+      await page.waitForTimeout(200);
+      later = await page.screenshot();
+    }
+    assert.ok(!later.equals(first), 'the picture changes');
+    assert.deepEqual(page.errors, []);
+  });
 });
 
 test('the module grows no further', () => {
