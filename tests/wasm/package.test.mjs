@@ -4,7 +4,7 @@
 // The npm package, as it is built in the folder that HARDBALL_PACKAGE names, in node: in workers and in this thread.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
@@ -189,4 +189,8 @@ test('the package is installed into an empty project, and found with its types',
   const [, program] = page.match(/```js\n(.*?)```/s);
   writeFileSync(join(folder, 'documented.js'), `${program}console.log(hash, positions.length);`);
   assert.equal(run('node', ['documented.js']), `${hash.trim()} 600\n`);
+  copyFileSync(new URL('use.mts', import.meta.url), join(folder, 'use.mts'));
+  const compiler = join(process.env.HARDBALL_TEST_PACKAGES, 'node_modules/typescript/bin/tsc');
+  const options = '--noEmit --strict --target es2022 --module nodenext --lib es2022,dom use.mts';
+  assert.equal(run('node', [compiler, ...options.split(' ')]), '');
 });
