@@ -276,9 +276,10 @@ std::size_t hb_size(const hb_simulation* simulation) {
 hb_status hb_get_box(const hb_simulation* simulation, double size[3], hb_boundary boundary[3]) {
   return guarded([&] {
     const hardball::Box& box = given(simulation, "simulation").simulation.world().box();
-    if (size != nullptr) store(box.size(), size);
-    for (std::size_t axis = 0; boundary != nullptr && axis < hardball::kAxes; ++axis)
-      boundary[axis] = static_cast<hb_boundary>(box.boundary(axis));
+    for (std::size_t axis = 0; axis < hardball::kAxes; ++axis) {
+      if (size != nullptr) size[axis] = box.is_bounded(axis) ? box.size()[axis] : 0;
+      if (boundary != nullptr) boundary[axis] = static_cast<hb_boundary>(box.boundary(axis));
+    }
   });
 }
 

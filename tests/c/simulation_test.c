@@ -373,6 +373,23 @@ static void sums_are_read(void) {
   CHECK(hb_collisions(NULL) == 0 && hb_wall_contacts(NULL) == 0);
 }
 
+static void the_box_is_read(void) {
+  static const char kBox[] =
+      "box = { size = [3.0, 4.0, 5.0], boundary = [\"wall\", \"open\", \"periodic\"] }\n"
+      "spheres = [{ radius = 0.5, positions = [[1.0, 1.0, 1.0]], speed = 0.0 }]\n";
+  hb_simulation* simulation = NULL;
+  double size[3] = {-1, -1, -1};
+  hb_boundary boundary[3] = {-1, -1, -1};
+  OK(hb_start_scenario(kBox, "box.toml", NULL, 0, NULL, &simulation, NULL));
+  OK(hb_get_box(simulation, size, NULL));
+  CHECK(size[0] == 3 && size[1] == 0 && size[2] == 5);
+  OK(hb_get_box(simulation, NULL, boundary));
+  CHECK(boundary[0] == HB_BOUNDARY_WALL && boundary[1] == HB_BOUNDARY_OPEN &&
+        boundary[2] == HB_BOUNDARY_PERIODIC);
+  REFUSED(hb_get_box(NULL, size, boundary), "NULL", "simulation");
+  hb_free(simulation);
+}
+
 static void edits_change_the_motion(void) {
   hb_simulation* simulation = two_spheres();
   const double up[3] = {0, 1, 0};
@@ -466,6 +483,7 @@ int main(void) {
   fields_are_read_into_the_arrays_of_the_program();
   positions_are_extrapolated();
   sums_are_read();
+  the_box_is_read();
   edits_change_the_motion();
   a_run_that_fails_says_so();
   return 0;
