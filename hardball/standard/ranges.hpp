@@ -10,9 +10,9 @@
 #include <utility>
 #include <version>
 
-/// The algorithms on ranges: those of std::ranges, or where the standard library lacks them the part of them
-/// that Hardball uses, with the same names, arguments and results.
-#if defined(__cpp_lib_ranges)
+/// The algorithms on ranges: those of std::ranges, or where the standard library lacks them, or Clang refuses
+/// them, the part of them that Hardball uses, with the same names, arguments and results.
+#if defined(__cpp_lib_ranges) && !(defined(__clang__) && __clang_major__ < 16)
 
 namespace hardball {
 namespace ranges = std::ranges;
