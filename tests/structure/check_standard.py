@@ -17,7 +17,7 @@ STAND_INS = {
     r"std::ranges::": "ranges:: of standard/ranges.hpp",
     r"<ranges>|std::views": "a loop, or ranges:: of standard/ranges.hpp",
     r"std::bit_cast": "bit_cast of standard/bit_cast.hpp",
-    r"std::(from|to)_chars\(": "from_chars or to_chars of standard/number_text.hpp",
+    r"std::(from|to)_chars(?=\()": "from_chars or to_chars of standard/number_text.hpp",
     r"std::jthread": "share_work of standard/share_work.hpp",
     r"std::make_unique_for_overwrite": "new",
     r"std::format\b|<format>": "to_text, and + of strings",
@@ -33,8 +33,8 @@ def check(project):
             continue
         for number, line in enumerate(file.read_text().splitlines(), start=1):
             for pattern, stand_in in STAND_INS.items():
-                if re.search(pattern, line.partition("//")[0]):
-                    faults.append(f"{file}:{number}: {pattern} is missing from older libraries; use {stand_in}")
+                if found := re.search(pattern, line.partition("//")[0]):
+                    faults.append(f"{file}:{number}: {found[0]} is missing from older libraries; use {stand_in}")
     return faults
 
 

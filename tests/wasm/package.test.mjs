@@ -159,12 +159,17 @@ test('scenarios read the files that are given', async () => {
   const folder = new URL('../../scenarios/', import.meta.url);
   const text = readFileSync(new URL('hourglass.toml', folder), 'utf8');
   const mesh = readFileSync(new URL('hourglass.obj', folder));
-  const error = await check(text);
-  assert.match(error.problem + error.where, /hourglass\.obj/);
-  assert.doesNotMatch(error.message, /\/scenario\d/, 'names are those that were given');
-  const glass = await open(text, { files: { 'hourglass.obj': mesh } });
-  assert.ok((await glass.run({ contacts: 500 })).wallContacts > 0);
-  glass.close();
+  // In this thread they share one memory, where files stay for no other scenario.
+  for (const worker of [true, false]) {
+    for (let time = 0; time < 2; ++time) {
+      const error = await check(text, { worker });
+      assert.match(error.problem + error.where, /hourglass\.obj/);
+      assert.doesNotMatch(error.message, /\/scenario\//, 'names are those that were given');
+      const glass = await open(text, { worker, files: { 'hourglass.obj': mesh } });
+      assert.ok((await glass.run({ contacts: 500 })).wallContacts > 0);
+      glass.close();
+    }
+  }
 });
 
 test('the package is installed into an empty project, and found with its types', () => {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+import { compiledModule } from './compile.js';
 import { HardballError } from './error.js';
-import { Session } from './library.js';
-import { moduleOf } from './module_of.js';
+import { Session } from './session.js';
 
 export { HardballError };
 
@@ -72,7 +72,7 @@ class Remote {
 
   end() {
     this.worker.terminate();
-    this.fail(new HardballError({ problem: 'the simulation is closed' }));
+    this.fail(new HardballError({ problem: 'the simulation is closed', remedy: 'open or load another one' }));
   }
 }
 
@@ -105,31 +105,31 @@ class Simulation {
   }
 
   positions(out) {
-    return this.read_('position', out);
+    return this.#read('position', out);
   }
 
   velocities(out) {
-    return this.read_('velocity', out);
+    return this.#read('velocity', out);
   }
 
   spins(out) {
-    return this.read_('spin', out);
+    return this.#read('spin', out);
   }
 
   radii(out) {
-    return this.read_('radius', out);
+    return this.#read('radius', out);
   }
 
   masses(out) {
-    return this.read_('mass', out);
+    return this.#read('mass', out);
   }
 
   species(out) {
-    return this.read_('species', out);
+    return this.#read('species', out);
   }
 
   ids(out) {
-    return this.read_('id', out);
+    return this.#read('id', out);
   }
 
   totals() {
@@ -173,7 +173,7 @@ class Simulation {
   }
 
   // An array that is given moves to the worker and back.
-  read_(field, out) {
+  #read(field, out) {
     return this.engine.call('read', [field, out], undefined, out ? [out.buffer] : []);
   }
 }
@@ -181,7 +181,7 @@ class Simulation {
 async function started(method, first, { worker = true, wasm, ...options } = {}) {
   const engine = worker ? await Remote.make() : new Direct();
   try {
-    const facts = await engine.start(method, [first, { ...options, wasm: await moduleOf(wasm) }]);
+    const facts = await engine.start(method, [first, { ...options, wasm: await compiledModule(wasm) }]);
     return new Simulation(engine, facts);
   } catch (error) {
     if (worker) engine.end();

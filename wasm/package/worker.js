@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // One simulation in a worker, of a page or of node: calls arrive as messages, and results go back.
-import { Session } from './library.js';
+import { Session } from './session.js';
 
 const isInPage = typeof WorkerGlobalScope !== 'undefined';
 const port = isInPage ? globalThis : (await import('node:worker_threads')).parentPort;

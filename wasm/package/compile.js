@@ -22,7 +22,7 @@ async function compiled(wasm) {
 const modules = new Map();
 
 /** The compiled module, once for each place: an address, bytes, or the module itself; by default, beside this file. */
-export function moduleOf(wasm = kBeside) {
+export function compiledModule(wasm = kBeside) {
   const key = wasm instanceof URL ? wasm.href : wasm;
   if (!modules.has(key)) modules.set(key, compiled(wasm));
   return modules.get(key);
