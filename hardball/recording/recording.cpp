@@ -85,7 +85,8 @@ Json json_surface(const Surface& surface, double restitution) {
   json["amplitude"] = moving ? moving->amplitude() : 0.0;
   json["frequency"] = moving ? moving->frequency() : 0.0;
   json["temperature"] = material.temperature ? Json(*material.temperature) : Json(nullptr);
-  json["restitution"] = number_or_null(material.restitution.value_or(restitution));
+  const bool is_rough = material.tangential_restitution.has_value();
+  json["restitution"] = is_rough ? Json(nullptr) : number_or_null(material.restitution.value_or(restitution));
   return json;
 }
 

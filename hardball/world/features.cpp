@@ -57,7 +57,8 @@ constexpr auto kExclusions = [] {
   return std::to_array<Exclusion>({
       {growth, kinematic, "spheres grow, and some are kinematic, of infinite mass",
        "give them a finite mass"},
-      {growth, roughness, "spheres grow, and some are rough, or spin", "make them smooth"},
+      {growth, roughness, "spheres grow, and spheres or walls are rough, or spheres spin",
+       "make them smooth"},
       {growth, gravity, "spheres grow, and there is gravity", kRemoveOne},
       {growth, merging, "spheres grow, and some merge", kBounce},
       {growth, passing, "spheres grow, and some pass through each other", kBounce},

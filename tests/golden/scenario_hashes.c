@@ -1,8 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Hardball authors
  * SPDX-License-Identifier: MIT */
 
-/* scenario_hashes FILE...: prints the hash of the first contacts of each scenario, one "name hash" per line.
- */
+/* scenario_hashes FILE...: prints "name hash" for each scenario, of its first contacts. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

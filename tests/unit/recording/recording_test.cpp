@@ -139,6 +139,15 @@ std::string text_of(const std::vector<Surface>& surfaces) {
       .dump();
 }
 
+TEST_F(Recording, SaysThatRoughSurfacesHaveNoOneRestitution) {
+  const auto restitution_of = [](const SurfaceMaterial& material) {
+    const RecordingHeader header{.restitution = 1, .surfaces = {{Plane({0, 0, 1}), {}, {}, material}}};
+    return nlohmann::json::parse(to_json(header))["surfaces"][0]["restitution"];
+  };
+  EXPECT_EQ(restitution_of({.restitution = 0.5}), 0.5);
+  EXPECT_TRUE(restitution_of({.restitution = 0.5, .tangential_restitution = 0.25}).is_null());
+}
+
 TEST_F(Recording, ContainsGravityAndSurfaces) {
   const RecordingHeader header{.gravity = {0, 0.5, -9.81}, .surfaces = every_surface()};
   RecordingWriter(folder_ / "recording.hbr", header, make_mixture()).close(1);

@@ -38,6 +38,14 @@ test('surfaces are where they are at the time shown', () => {
   assert.deepEqual(readSurfaces({}), []);
 });
 
+test('surfaces that take energy are known', () => {
+  const changes = (entry) => readSurfaces({ surfaces: [{ shape: 'plane', point: [0, 0, 0], ...entry }] })[0].changesEnergy;
+  assert.equal(changes({}), false);
+  assert.equal(changes({ restitution: 1 }), false);
+  assert.equal(changes({ restitution: 0.5 }), true);
+  assert.equal(changes({ restitution: null }), true);
+});
+
 test('partners of contacts have names', () => {
   const surfaces = readSurfaces({ surfaces: kSurfaces });
   assert.equal(partnerName(17, surfaces), 'sphere 17');

@@ -26,7 +26,8 @@ export class Surface {
     this.frequency = entry.frequency ?? 0;
     /** k_B T [M L² T⁻²] of a thermal surface, or null. */
     this.temperature = entry.temperature ?? null;
-    this.restitution = entry.restitution ?? 1;
+    /** Null if it is not one number, or the surface is rough. */
+    this.restitution = entry.restitution === undefined ? 1 : entry.restitution;
     /** The triangles of a mesh around its point; null of other shapes. */
     this.mesh = entry.shape === 'mesh' ? new MeshTriangles(entry.vertices, entry.triangles) : null;
     /** Whether a motion may drive it. */
