@@ -4,11 +4,22 @@
 #include "hardball/world/images.hpp"
 #include "hardball/world/pair_event.hpp"
 
-#include <algorithm>
+#include "hardball/standard/ranges.hpp"
 
 // How a forecast follows spheres that come, go, and pass through each other.
 
 namespace hardball {
+namespace {
+
+// Whether there are meshes that take the place in the caches which small worlds have to themselves.
+bool has_large_meshes(const Setting& setting) {
+  constexpr std::size_t kLarge = std::size_t{1} << 18;
+  return ranges::any_of(setting.meshes(), [&](std::uint32_t number) {
+    return setting.surface(number).mesh()->mesh().memory_bytes() > kLarge;
+  });
+}
+
+}  // namespace
 
 void Forecast::rebuild(const Time& now, const Progress& progress) {
   now_ = now;
@@ -16,10 +27,10 @@ void Forecast::rebuild(const Time& now, const Progress& progress) {
   phase_.find_lines();
   uses_minimum_image_ = phase_->uses_minimum_image();
   images_.assign(uses_minimum_image_ ? 0 : world_.size(), Image{});
-  is_cached_ = world_.size() <= phase_->cached_spheres();
   are_alike_ = world_.are_alike();
   has_walls_ = world_.box().is_any(Boundary::wall) || !world_.other_surfaces().empty();
   has_solids_ = world_.has_solids();
+  is_cached_ = world_.size() <= phase_->cached_spheres() && !has_large_meshes(world_);
   do_solids_rest_ = has_solids_ && world_.do_solids_rest();
   solid_rounding_ = do_solids_rest_ ? rounding_near_solids(world_) : 0;
   clear_balls_.assign(do_solids_rest_ ? world_.size() : 0, ClearBall());

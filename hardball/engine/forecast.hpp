@@ -265,6 +265,7 @@ class Forecast {
     if (!are_alike_) world_.prefetch_size(slot);
     compact_.prefetch(slot);
     phase_->prefetch_line(slot);
+    if (slot < clear_balls_.size()) prefetch(&clear_balls_[slot]);
     if (phase_->has_more_data()) phase_.visit([&](const auto& phase) { phase.prefetch_more(slot); });
   }
 

@@ -10,22 +10,29 @@ namespace hardball {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr double kLargest = std::numeric_limits<float>::max();
 
 float rounded_down(double number) {
-  if (number < -kLargest) return -kInfinity;
-  const auto nearest = static_cast<float>(std::min(number, kLargest));
+  const auto nearest = static_cast<float>(number);
   return static_cast<double>(nearest) <= number ? nearest : std::nextafter(nearest, -kInfinity);
 }
 
-float rounded_up(double number) {
-  return -rounded_down(-number);
+// A power of two that is at least the magnitude of all coordinates.
+double unit_for(const Extent& extent) {
+  double largest = 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis)
+    largest = std::max({largest, std::fabs(extent.low[axis]), std::fabs(extent.high[axis])});
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(1.0, exponent);
 }
 
 }  // namespace
 
 struct ExtentTree::Builder {
+  using Order = std::vector<std::uint32_t>::iterator;
+
   std::span<const Item> items;
+  double unit;
   std::vector<std::uint32_t> order;
   std::vector<Node>& nodes;
 
@@ -34,55 +41,101 @@ struct ExtentTree::Builder {
     return items[item].extent.low[axis] + items[item].extent.high[axis];
   }
 
-  void build(std::uint32_t node, std::uint32_t first, std::uint32_t count) {
-    Extent around = items[order[first]].extent;
+  std::size_t longest_axis(Order begin, Order end) const {
     Vec3 least;
     Vec3 greatest;
-    for (std::size_t axis = 0; axis < kAxes; ++axis)
-      least[axis] = greatest[axis] = middle(order[first], axis);
-    for (std::uint32_t i = first + 1; i < first + count; ++i) {
-      around.enclose(items[order[i]].extent);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) least[axis] = greatest[axis] = middle(*begin, axis);
+    for (Order item = begin + 1; item != end; ++item) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        least[axis] = std::min(least[axis], middle(order[i], axis));
-        greatest[axis] = std::max(greatest[axis], middle(order[i], axis));
+        least[axis] = std::min(least[axis], middle(*item, axis));
+        greatest[axis] = std::max(greatest[axis], middle(*item, axis));
       }
     }
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      nodes[node].low[axis] = rounded_down(around.low[axis]);
-      nodes[node].high[axis] = rounded_up(around.high[axis]);
-    }
-    nodes[node].first = first;
-    nodes[node].count = count;
-    if (count <= kLeaf) return;
     const Vec3 extent = greatest - least;
-    std::size_t longest = extent.y > extent.x ? 1 : 0;
-    if (extent.z > extent[longest]) longest = 2;
-    const auto begin = order.begin() + first;
-    const std::uint32_t half = count / 2;
-    std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-      const double of_a = middle(a, longest);
-      const double of_b = middle(b, longest);
+    const std::size_t longer = extent.y > extent.x ? 1 : 0;
+    return extent.z > extent[longer] ? 2 : longer;
+  }
+
+  // Lets the items that come first along the longest axis come first.
+  void part(Order begin, Order middle_of_order, Order end) {
+    const std::size_t axis = longest_axis(begin, end);
+    std::nth_element(begin, middle_of_order, end, [&](std::uint32_t a, std::uint32_t b) {
+      const double of_a = middle(a, axis);
+      const double of_b = middle(b, axis);
       return of_a != of_b ? of_a < of_b : a < b;
     });
-    const auto children = static_cast<std::uint32_t>(nodes.size());
-    nodes[node].first = children;
-    nodes[node].count = 0;
-    nodes.resize(nodes.size() + 2);
-    build(children, first, half);
-    build(children + 1, first + half, count - half);
+  }
+
+  // Sets the ends of the extents along an axis, as many steps from the corner as lie outside of them.
+  void set_ends(Node& node, std::span<const Extent> extents, std::size_t axis) const {
+    constexpr double kMostSteps = std::numeric_limits<std::uint8_t>::max();
+    double least = extents[0].low[axis];
+    double greatest = extents[0].high[axis];
+    for (const Extent& extent : extents) {
+      least = std::min(least, extent.low[axis]);
+      greatest = std::max(greatest, extent.high[axis]);
+    }
+    node.corner[axis] = rounded_down(least / unit);
+    const double corner = unit * static_cast<double>(node.corner[axis]);
+    node.step[axis] = static_cast<float>((greatest - corner) / (kMostSteps * unit));
+    while (corner + unit * static_cast<double>(node.step[axis]) * kMostSteps < greatest)
+      node.step[axis] = std::nextafter(node.step[axis], kInfinity);
+    const double step = unit * static_cast<double>(node.step[axis]);
+    for (std::size_t i = 0; i < extents.size(); ++i) {
+      double low = step > 0 ? std::min(std::floor((extents[i].low[axis] - corner) / step), kMostSteps) : 0;
+      while (low > 0 && corner + step * low > extents[i].low[axis]) --low;
+      double high = step > 0 ? std::min(std::ceil((extents[i].high[axis] - corner) / step), kMostSteps) : 0;
+      while (corner + step * high < extents[i].high[axis]) ++high;
+      node.low[axis][i] = static_cast<std::uint8_t>(low);
+      node.high[axis][i] = static_cast<std::uint8_t>(high);
+    }
+  }
+
+  // Makes a node of at least one item, and returns the extent around all.
+  Extent build(std::size_t place, Order begin, Order end) {
+    // Each child but the last is full, with all nodes below it.
+    std::ptrdiff_t share = 1;
+    while (share * static_cast<std::ptrdiff_t>(FourNumbers::kCount) < end - begin)
+      share *= static_cast<std::ptrdiff_t>(FourNumbers::kCount);
+    if (end - begin > 2 * share) {
+      part(begin, begin + 2 * share, end);
+      part(begin, begin + share, begin + 2 * share);
+      if (end - begin > 3 * share) part(begin + 2 * share, begin + 3 * share, end);
+    } else if (end - begin > share) {
+      part(begin, begin + share, end);
+    }
+    Node node;
+    std::array<Extent, FourNumbers::kCount> extents;
+    std::size_t count = 0;
+    for (Order first = begin; first != end; ++count) {
+      const Order last = first + std::min(share, end - first);
+      extents[count] = items[*first].extent;
+      node.references[count] = items[*first].number | kIsItem;
+      if (last - first > 1) {
+        node.references[count] = static_cast<std::uint32_t>(nodes.size());
+        nodes.emplace_back();
+        extents[count] = build(node.references[count], first, last);
+      }
+      first = last;
+    }
+    for (std::size_t axis = 0; axis < kAxes; ++axis) set_ends(node, std::span(extents).first(count), axis);
+    nodes[place] = node;
+    for (std::size_t i = 1; i < count; ++i) extents[0].enclose(extents[i]);
+    return extents[0];
   }
 };
 
 ExtentTree::ExtentTree(std::span<const Item> items) {
   if (items.empty()) return;
-  Builder builder{items, std::vector<std::uint32_t>(items.size()), nodes_};
+  extent_ = items.front().extent;
+  for (const Item& item : items) extent_.enclose(item.extent);
+  unit_ = unit_for(extent_);
+  Builder builder{items, unit_, std::vector<std::uint32_t>(items.size()), nodes_};
   std::iota(builder.order.begin(), builder.order.end(), 0U);
-  nodes_.reserve(2 * items.size());
+  nodes_.reserve(items.size() / (FourNumbers::kCount - 1) + 1);
   nodes_.emplace_back();
-  builder.build(0, 0, static_cast<std::uint32_t>(items.size()));
+  builder.build(0, builder.order.begin(), builder.order.end());
   nodes_.shrink_to_fit();
-  numbers_.reserve(items.size());
-  for (const std::uint32_t item : builder.order) numbers_.push_back(items[item].number);
 }
 
 }  // namespace hardball

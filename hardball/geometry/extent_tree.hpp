@@ -7,22 +7,23 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/geometry/extent.hpp"
+#include "hardball/geometry/four_extents.hpp"
 
 namespace hardball {
 
-/// Bodies at rest, or parts of one, in a tree of extents, of which each is around half of what its parent is
-/// around: the obstacles of a world, the triangles of a mesh.
+/// Bodies at rest, or parts of one, in a tree of extents, of which each is around a quarter of what its
+/// parent is around: the obstacles of a world, the triangles of a mesh.
 class HARDBALL_EXPORT ExtentTree {
  public:
   /// A body in the tree.
   struct Item {
     Extent extent;         ///< [L]
-    std::uint32_t number;  ///< By which it is known.
+    std::uint32_t number;  ///< By which it is known; less than 2^31.
   };
 
   /// A tree of nothing.
@@ -32,7 +33,7 @@ class HARDBALL_EXPORT ExtentTree {
 
   bool is_empty() const { return nodes_.empty(); }
   /// The extent of all. Precondition: not is_empty().
-  Extent extent() const { return extent_of(nodes_.front()); }
+  const Extent& extent() const { return extent_; }
 
   /// Calls visit(number) for all that may reach into a part of space. Cost: O(log n) for each of them.
   template <class Visit>
@@ -46,56 +47,86 @@ class HARDBALL_EXPORT ExtentTree {
         visit);
   }
 
-  /// Calls visit(number) for all that may be no farther than `farthest`, where distance(extent) is not more
-  /// than that of whatever is within it. The nearer of two extents comes first, and a visit may lower
-  /// `farthest`. Cost: O(log n) for each that is visited.
+  /// Calls visit(number) for all that may be no farther than `farthest`, where the distance to an extent is
+  /// not more than that to whatever is within it. distance(extents) gives those to FourExtents as
+  /// FourNumbers; distance(extent), that to one. The nearest of four extents comes first, and a visit may
+  /// lower `farthest`. Cost: O(log n) for each that is visited.
   template <class Distance, class Visit>
   void for_each_within(const double& farthest, Distance&& distance, Visit&& visit) const {
     struct Pending {
-      std::uint32_t node;
+      std::uint32_t reference;
       double distance;
     };
     if (is_empty()) return;
-    std::array<Pending, kMaxDepth> pending;
-    std::size_t count = 0;
-    pending[count++] = {0, distance(extent())};
+    std::array<Pending, kMostPending> pending;
+    pending[0] = {0, -std::numeric_limits<double>::infinity()};
+    std::size_t count = 1;
     while (count > 0) {
       const Pending next = pending[--count];
       if (!(next.distance <= farthest)) continue;
-      const Node& node = nodes_[next.node];
-      for (std::uint32_t i = 0; i < node.count; ++i) visit(numbers_[node.first + i]);
-      if (node.count > 0) continue;
-      Pending near{node.first, distance(extent_of(nodes_[node.first]))};
-      Pending far{node.first + 1, distance(extent_of(nodes_[node.first + 1]))};
-      if (far.distance < near.distance) std::swap(near, far);
-      if (far.distance <= farthest) pending[count++] = far;
-      if (near.distance <= farthest) pending[count++] = near;
+      if ((next.reference & kIsItem) != 0) {
+        visit(next.reference & ~kIsItem);
+        continue;
+      }
+      const Node& node = nodes_[next.reference];
+      const FourNumbers distances = distances_to(extents_of(node), distance);
+      const std::size_t farther = count;
+      for (std::size_t i = 0; i < FourNumbers::kCount && node.references[i] != kNone; ++i) {
+        if (!(distances[i] <= farthest)) continue;
+        std::size_t place = count++;
+        for (; place > farther && pending[place - 1].distance < distances[i]; --place)
+          pending[place] = pending[place - 1];
+        pending[place] = {node.references[i], distances[i]};
+      }
     }
   }
 
-  std::size_t memory_bytes() const {
-    return nodes_.capacity() * sizeof(Node) + numbers_.capacity() * sizeof(std::uint32_t);
-  }
+  std::size_t memory_bytes() const { return nodes_.capacity() * sizeof(Node); }
 
  private:
-  static constexpr std::size_t kMaxDepth = 64;  // more than twice the depth of halves of 2^31 items
-  static constexpr std::uint32_t kLeaf = 2;
+  static constexpr std::uint32_t kIsItem = std::uint32_t{1} << 31;
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  // Three more on each of sixteen levels, which 2^31 items have, and the last.
+  static constexpr std::size_t kMostPending = 52;
 
-  // Half a cache line. Single numbers suffice for ends that are rounded outward.
-  struct Node {
-    std::array<float, kAxes> low;
-    std::array<float, kAxes> high;
-    std::uint32_t first;  // item of a leaf, or of two children the first, which the other follows
-    std::uint32_t count;  // of the items of a leaf; zero elsewhere
+  // A cache line: what it takes to ask a tree is to fetch these. Ends of extents are a few bits long, rounded
+  // outward: so many steps from a corner.
+  struct alignas(64) Node {
+    using Steps = std::array<std::uint8_t, FourNumbers::kCount>;
+
+    std::array<float, kAxes> corner{};  // units
+    std::array<float, kAxes> step{};    // units
+    std::array<Steps, kAxes> low{};
+    std::array<Steps, kAxes> high{};
+    std::array<std::uint32_t, FourNumbers::kCount> references{kNone, kNone, kNone, kNone};
   };
+  static_assert(sizeof(Node) == 64);
 
-  static Extent extent_of(const Node& node) {
-    return {{node.low[0], node.low[1], node.low[2]}, {node.high[0], node.high[1], node.high[2]}};
+  FourExtents extents_of(const Node& node) const {
+    FourExtents extents;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const FourNumbers corner(unit_ * static_cast<double>(node.corner[axis]));
+      const FourNumbers step(unit_ * static_cast<double>(node.step[axis]));
+      extents.low[axis] = corner + step * FourNumbers(node.low[axis]);
+      extents.high[axis] = corner + step * FourNumbers(node.high[axis]);
+    }
+    return extents;
+  }
+  template <class Distance>
+  static FourNumbers distances_to(const FourExtents& extents, Distance& distance) {
+    if constexpr (std::is_invocable_v<Distance&, const FourExtents&>) {
+      return distance(extents);
+    } else {
+      std::array<double, FourNumbers::kCount> distances;
+      for (std::size_t i = 0; i < FourNumbers::kCount; ++i) distances[i] = distance(extents[i]);
+      return FourNumbers(distances);
+    }
   }
   struct Builder;
 
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> numbers_;  // of the items, by leaf
+  double unit_ = 1;  // [L], at least the largest magnitude of a coordinate; a power of two
+  Extent extent_;
+  std::vector<Node> nodes_;  // the root first
 };
 
 }  // namespace hardball

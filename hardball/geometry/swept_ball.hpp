@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "hardball/geometry/extent.hpp"
+#include "hardball/geometry/four_extents.hpp"
 #include "hardball/geometry/nearest_point.hpp"
 #include "hardball/geometry/safe_step.hpp"
 #include "hardball/geometry/vec3.hpp"
@@ -75,6 +76,45 @@ class SweptBall {
     }
     return t <= stay.last ? t : std::numeric_limits<double>::infinity();
   }
+  /// For each of four extents a time from `begin` on before which the ball does not touch it; infinite if it
+  /// never does until `end`. `margin` [L] is more than the rounding of coordinates.
+  FourNumbers free_until(const FourExtents& extents, double begin, double end, double margin) const {
+    constexpr double kForever = std::numeric_limits<double>::infinity();
+    if (!(acceleration() == 0)) {
+      std::array<double, FourNumbers::kCount> first;
+      for (std::size_t i = 0; i < FourNumbers::kCount; ++i)
+        first[i] = free_until(extents[i], begin, end, margin);
+      return FourNumbers(first);
+    }
+    FourNumbers first(begin);
+    FourNumbers last(end);
+    const FourNumbers reach(radius_ + margin);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const FourNumbers place(position_[axis]);
+      keep(place - extents.low[axis] + reach, from_low_[axis], first, last);
+      keep(extents.high[axis] - place + reach, from_high_[axis], first, last);
+    }
+    const FourNumbers zero;
+    const FourNumbers growth(growth_);
+    for (int step = 0; step < 2; ++step) {
+      FourNumbers square;
+      FourNumbers opening;  // how fast the distance grows, times the distance
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const FourNumbers velocity(velocity_[axis]);
+        const FourNumbers place = FourNumbers(position_[axis]) + first * velocity;
+        const FourNumbers apart =
+            smaller(place - extents.low[axis], zero) + larger(place - extents.high[axis], zero);
+        square = square + apart * apart;
+        opening = opening + apart * velocity;
+      }
+      const FourNumbers distance = square_root(square);
+      const FourNumbers width = distance - (FourNumbers(radius_) + first * growth) - FourNumbers(margin);
+      const FourNumbers closing = growth - opening / distance;
+      const FourNumbers wait = select(closing, zero, width / closing, FourNumbers(kForever));
+      first = first + select(width, zero, wait, zero);
+    }
+    return select(first, last, FourNumbers(kForever), first);
+  }
 
  private:
   // How fast the ball reaches beyond a plane, and one over that: products take less than quotients.
@@ -107,6 +147,15 @@ class SweptBall {
       // Of the parabola turned over.
       last = std::min(last, later_root(-a, -b, -c, root));
       first = std::max(first, earlier_root(-a, -b, -c, root));
+    }
+  }
+  // Restricts four intervals to where a + b t >= 0.
+  static void keep(const FourNumbers& a, const Rate& rate, FourNumbers& first, FourNumbers& last) {
+    const FourNumbers bound = a * FourNumbers(-rate.inverse);
+    if (rate.value >= 0) {
+      first = larger(bound, first);
+    } else {
+      last = smaller(bound, last);
     }
   }
   // The roots of a + b t + c t^2 for c > 0.

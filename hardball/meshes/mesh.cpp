@@ -309,7 +309,7 @@ double Mesh::clearance(const Vec3& point, double enough) const {
   constexpr double kPart = 0.8;
   double clear = enough;
   tree_.for_each_within(
-      clear, [&](const Extent& extent) { return distance_to(extent, point); },
+      clear, [&](const FourExtents& extents) { return distance_to(extents, point); },
       [&](std::uint32_t triangle) {
         const auto& [a, b, c] = parts_.triangles[triangle];
         const Vec3 found =
@@ -325,7 +325,7 @@ Mesh::NearestPoint Mesh::nearest(const Vec3& point) const {
   double least = std::numeric_limits<double>::infinity();
   double farthest = least;
   tree_.for_each_within(
-      farthest, [&](const Extent& extent) { return distance_to(extent, point); },
+      farthest, [&](const FourExtents& extents) { return distance_to(extents, point); },
       [&](std::uint32_t triangle) {
         const auto& [a, b, c] = parts_.triangles[triangle];
         const Vec3 found =

@@ -142,7 +142,7 @@ void MeshWalls::for_each_near(const Vec3& center, double within,
   std::vector<std::uint32_t> edges;
   std::vector<std::uint32_t> vertices;
   mesh_->tree().for_each_within(
-      within, [&](const Extent& extent) { return distance_to(extent, center); },
+      within, [&](const FourExtents& extents) { return distance_to(extents, center); },
       [&](std::uint32_t triangle) {
         note(near.face(triangle));
         for (const std::uint32_t edge : mesh_->edges_of(triangle))

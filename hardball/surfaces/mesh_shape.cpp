@@ -124,6 +124,18 @@ class Encounter {
     return contact_with_vertex(edge - static_cast<std::uint32_t>(mesh_.edges().size()));
   }
 
+  // When the sphere touches a face, where it is known to be above the face all the time from `begin` to `end`
+  // and to begin an overlap in that time.
+  double contact_with_face_between(std::uint32_t triangle, double begin, double end) const {
+    const Face face = this->face(triangle);
+    for (const int side : {1, -1}) {
+      for (const Descents::Interval& closing : descents(gap_to_face(face, side))) {
+        if (closing.begin >= begin && closing.begin <= end) return closing.begin;
+      }
+    }
+    return contact_with_face(triangle);
+  }
+
   // The gap to a feature, or what has its sign; of a face, on the side where the center is at `wait`.
   Polynomial gap(std::uint32_t feature, double wait) const {
     const auto faces = static_cast<std::uint32_t>(mesh_.triangles().size());
@@ -340,12 +352,15 @@ MeshContact MeshShape::first_contact(const Passage& passage, double begin, doubl
   struct Candidate {
     double bound;
     std::uint32_t triangle;
-    bool has_face_only;  // that can be touched first
+    // If finite, the sphere touches the face in no more time than this, and cannot touch its border in
+    // twice the time.
+    double delay = kNoContact;
   };
   std::vector<Candidate> candidates;
   double farthest = end;
   mesh_->tree().for_each_within(
-      farthest, [&](const Extent& extent) { return ball.free_until(extent, begin, farthest, rounding); },
+      farthest,
+      [&](const FourExtents& extents) { return ball.free_until(extents, begin, farthest, rounding); },
       [&](std::uint32_t triangle) {
         const auto& [ia, ib, ic] = mesh_->triangles()[triangle];
         const Vec3& a = mesh_->vertices()[ia];
@@ -375,7 +390,7 @@ MeshContact MeshShape::first_contact(const Passage& passage, double begin, doubl
               t += opening;
               continue;
             }
-            candidates.push_back({t, triangle, false});
+            candidates.push_back({t, triangle});
             // It is certainly touched if it soon overlaps: nothing later matters.
             const double soon = t + 2 * (std::max(gap.width, 0.0) + rounding) / -gap.speed;
             if (!(gap.speed < 0 && gap_at(soon).width < -rounding)) return;
@@ -384,9 +399,9 @@ MeshContact MeshShape::first_contact(const Passage& passage, double begin, doubl
             const double speed =
                 length(ball.velocity_at(t)) + acceleration * (soon - t) + std::fabs(ball.growth());
             const double way = 2 * speed * (soon - t) + 2 * std::fabs(gap.width) + 4 * rounding;
-            candidates.back().has_face_only =
-                t > begin && mesh_->has_area(triangle) &&
-                is_within({a, b, c}, ball.position_at(t), ball.radius_at(t), way);
+            if (t > begin && mesh_->has_area(triangle) &&
+                is_within({a, b, c}, ball.position_at(t), ball.radius_at(t), way))
+              candidates.back().delay = soon - t;
             return;
           }
           const double next = t + safe_step({gap.width - 0.5 * rounding, gap.speed, gap.curvature});
@@ -400,19 +415,25 @@ MeshContact MeshShape::first_contact(const Passage& passage, double begin, doubl
   const auto faces = static_cast<std::uint32_t>(mesh_->triangles().size());
   const auto edges = static_cast<std::uint32_t>(mesh_->edges().size());
   MeshContact first;
-  const auto note = [&](std::uint32_t feature) {
-    const double wait = encounter.contact(feature);
+  const auto note = [&](std::uint32_t feature, double wait) {
     if (wait < first.wait || (wait == first.wait && first.happens() && feature < first.feature))
       first = {wait, feature};
   };
   for (const Candidate& candidate : candidates) {
     if (candidate.bound > first.wait) break;
-    note(candidate.triangle);
-    if (candidate.has_face_only) continue;
-    for (const std::uint32_t edge : mesh_->edges_of(candidate.triangle)) {
-      if (edge != Mesh::kNoEdge) note(faces + edge);
+    if (candidate.delay < kNoContact) {
+      note(candidate.triangle,
+           encounter.contact_with_face_between(candidate.triangle, candidate.bound - candidate.delay,
+                                               candidate.bound + 2 * candidate.delay));
+      continue;
     }
-    for (const std::uint32_t vertex : mesh_->triangles()[candidate.triangle]) note(faces + edges + vertex);
+    const auto note_contact = [&](std::uint32_t feature) { note(feature, encounter.contact(feature)); };
+    note_contact(candidate.triangle);
+    for (const std::uint32_t edge : mesh_->edges_of(candidate.triangle)) {
+      if (edge != Mesh::kNoEdge) note_contact(faces + edge);
+    }
+    for (const std::uint32_t vertex : mesh_->triangles()[candidate.triangle])
+      note_contact(faces + edges + vertex);
   }
   return first;
 }

@@ -84,7 +84,7 @@ double distance_to_obstacles(const Setting& setting, const Vec3& position) {
   for_each_image_nearby(box, setting.obstacles().extent(), position, [&](const Image& image) {
     const Vec3 shift = box.shift(image);
     setting.obstacles().for_each_within(
-        farthest, [&](const Extent& extent) { return distance_to(extent, position - shift); },
+        farthest, [&](const FourExtents& extents) { return distance_to(extents, position - shift); },
         [&](std::uint32_t number) {
           least = std::min(least, distance_to_surface(box, setting.surface(number), position, Time()));
           farthest = kRoundedUp * std::max(0.0, least);
@@ -228,7 +228,6 @@ Event next_solid_event(const Setting& setting, SphereId id, const Path& path, do
                        double until) {
   Event next;
   if (!setting.has_solids()) return next;
-  const Extent part = reached(setting.motion(), path, radius, now, until);
   double end = until;
   const auto note = [&](const Time& time, std::uint32_t number) {
     const Event event{time, EventKind::wall, id, number, {}};
@@ -237,6 +236,7 @@ Event next_solid_event(const Setting& setting, SphereId id, const Path& path, do
     end = std::min(until, next.time.high);
   };
   if (!setting.obstacles().is_empty()) {
+    const Extent part = reached(setting.motion(), path, radius, now, until);
     for_each_image(setting.box(), setting.obstacles().extent(), part, [&](const Image& image) {
       const Vec3 shift = setting.box().shift(image);
       const Path passing{path.position - shift, path.velocity, path.time};
@@ -257,6 +257,7 @@ Event next_solid_event(const Setting& setting, SphereId id, const Path& path, do
 
 ImageContact first_contact_with_mesh(const Box& box, const Motion& motion, const Surface& mesh,
                                      const Path& path, double radius, const Time& now, double until) {
+  if (!is_periodic(box)) return {mesh.first_contact(motion, path, radius, now, until), {}};
   ImageContact first;
   double end = until;
   for_each_image(box, extent_of(mesh), reached(motion, path, radius, now, until), [&](const Image& image) {
