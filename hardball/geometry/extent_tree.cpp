@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace hardball {
 namespace {
@@ -29,40 +28,32 @@ double unit_for(const Extent& extent) {
 }  // namespace
 
 struct ExtentTree::Builder {
-  using Order = std::vector<std::uint32_t>::iterator;
+  // Where an item is, which is all that its place in the order depends on.
+  struct Place {
+    Vec3 middle;  // twice
+    std::uint32_t item;
+  };
+  using Order = std::vector<Place>::iterator;
 
   std::span<const Item> items;
   double unit;
-  std::vector<std::uint32_t> order;
   std::vector<Node>& nodes;
 
-  // Twice the middle.
-  double middle(std::uint32_t item, std::size_t axis) const {
-    return items[item].extent.low[axis] + items[item].extent.high[axis];
-  }
-
-  std::size_t longest_axis(Order begin, Order end) const {
-    Vec3 least;
-    Vec3 greatest;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) least[axis] = greatest[axis] = middle(*begin, axis);
-    for (Order item = begin + 1; item != end; ++item) {
-      for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        least[axis] = std::min(least[axis], middle(*item, axis));
-        greatest[axis] = std::max(greatest[axis], middle(*item, axis));
-      }
-    }
-    const Vec3 extent = greatest - least;
+  static std::size_t longest_axis(Order begin, Order end) {
+    Extent middles{begin->middle, begin->middle};
+    for (Order place = begin + 1; place != end; ++place) middles.enclose({place->middle, place->middle});
+    const Vec3 extent = middles.high - middles.low;
     const std::size_t longer = extent.y > extent.x ? 1 : 0;
     return extent.z > extent[longer] ? 2 : longer;
   }
 
   // Lets the items that come first along the longest axis come first.
-  void part(Order begin, Order middle_of_order, Order end) {
+  static void part(Order begin, Order half, Order end) {
     const std::size_t axis = longest_axis(begin, end);
-    std::nth_element(begin, middle_of_order, end, [&](std::uint32_t a, std::uint32_t b) {
-      const double of_a = middle(a, axis);
-      const double of_b = middle(b, axis);
-      return of_a != of_b ? of_a < of_b : a < b;
+    std::nth_element(begin, half, end, [axis](const Place& a, const Place& b) {
+      const double of_a = a.middle[axis];
+      const double of_b = b.middle[axis];
+      return of_a != of_b ? of_a < of_b : a.item < b.item;
     });
   }
 
@@ -109,8 +100,8 @@ struct ExtentTree::Builder {
     std::size_t count = 0;
     for (Order first = begin; first != end; ++count) {
       const Order last = first + std::min(share, end - first);
-      extents[count] = items[*first].extent;
-      node.references[count] = items[*first].number | kIsItem;
+      extents[count] = items[first->item].extent;
+      node.references[count] = items[first->item].number | kIsItem;
       if (last - first > 1) {
         node.references[count] = static_cast<std::uint32_t>(nodes.size());
         nodes.emplace_back();
@@ -130,11 +121,13 @@ ExtentTree::ExtentTree(std::span<const Item> items) {
   extent_ = items.front().extent;
   for (const Item& item : items) extent_.enclose(item.extent);
   unit_ = unit_for(extent_);
-  Builder builder{items, unit_, std::vector<std::uint32_t>(items.size()), nodes_};
-  std::iota(builder.order.begin(), builder.order.end(), 0U);
+  std::vector<Builder::Place> order;
+  order.reserve(items.size());
+  for (const Item& item : items)
+    order.push_back({item.extent.low + item.extent.high, static_cast<std::uint32_t>(order.size())});
   nodes_.reserve(items.size() / (FourNumbers::kCount - 1) + 1);
   nodes_.emplace_back();
-  builder.build(0, builder.order.begin(), builder.order.end());
+  Builder{items, unit_, nodes_}.build(0, order.begin(), order.end());
   nodes_.shrink_to_fit();
 }
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -74,38 +75,45 @@ Triangle sorted(Triangle triangle) {
   return triangle;
 }
 
-// An edge that a triangle has to itself, and what lies on it.
-struct FreeEdge {
+// A side of a triangle, or an edge that it has to itself.
+struct Side {
   std::uint32_t begin;
   std::uint32_t end;
   std::uint32_t triangle;
 };
 
-std::vector<FreeEdge> free_edges(const MeshParts& parts) {
-  struct Side {
-    std::uint64_t key;
-    FreeEdge edge;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * parts.triangles.size());
-  for (std::uint32_t i = 0; i < parts.triangles.size(); ++i) {
-    const Triangle& corners = parts.triangles[i];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = corners[k];
-      const std::uint32_t b = corners[(k + 1) % 3];
-      if (a == b) continue;
-      sides.push_back({(std::uint64_t{std::min(a, b)} << 32) | std::max(a, b), {a, b, i}});
+// In the order of their lower ends, of their higher ends and of their triangles.
+std::vector<Side> free_edges(const MeshParts& parts) {
+  const auto for_each_side = [&](auto&& visit) {
+    for (std::uint32_t i = 0; i < parts.triangles.size(); ++i) {
+      const Triangle& corners = parts.triangles[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Side side{corners[k], corners[(k + 1) % 3], i};
+        if (side.begin != side.end) visit(std::min(side.begin, side.end), side);
+      }
     }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return a.key != b.key ? a.key < b.key : a.edge.triangle < b.edge.triangle;
-  });
-  std::vector<FreeEdge> free;
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t end = i + 1;
-    while (end < sides.size() && sides[end].key == sides[i].key) ++end;
-    if (end == i + 1) free.push_back(sides[i].edge);
-    i = end;
+  };
+  // Lists of the sides by their lower ends.
+  std::vector<std::uint32_t> begins(parts.vertices.size() + 1);
+  for_each_side([&](std::uint32_t low, const Side&) { ++begins[low + 1]; });
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  std::vector<Side> sides(begins.back());
+  std::vector<std::uint32_t> ends(begins.begin(), begins.end() - 1);
+  for_each_side([&](std::uint32_t low, const Side& side) { sides[ends[low]++] = side; });
+
+  const auto high = [](const Side& side) { return std::max(side.begin, side.end); };
+  std::vector<Side> free;
+  for (std::size_t low = 0; low < parts.vertices.size(); ++low) {
+    const auto begin = sides.begin() + begins[low];
+    const auto end = sides.begin() + begins[low + 1];
+    std::sort(begin, end, [&](const Side& a, const Side& b) {
+      return high(a) != high(b) ? high(a) < high(b) : a.triangle < b.triangle;
+    });
+    for (auto side = begin; side != end; ++side) {
+      const bool is_alone = (side == begin || high(*(side - 1)) != high(*side)) &&
+                            (side + 1 == end || high(*(side + 1)) != high(*side));
+      if (is_alone) free.push_back(*side);
+    }
   }
   return free;
 }
@@ -226,12 +234,12 @@ void remove_duplicates(MeshParts& parts, MeshReport& report) {
 }
 
 void split_at_vertices(MeshParts& parts, double tolerance, MeshReport& report) {
-  const std::vector<FreeEdge> free = free_edges(parts);
+  const std::vector<Side> free = free_edges(parts);
   if (free.empty()) return;
   // Only ends of such edges can lie on others.
   std::vector<ExtentTree::Item> ends;
   std::vector<bool> is_end(parts.vertices.size());
-  for (const FreeEdge& edge : free) {
+  for (const Side& edge : free) {
     for (const std::uint32_t vertex : {edge.begin, edge.end}) {
       if (is_end[vertex]) continue;
       is_end[vertex] = true;
@@ -240,7 +248,7 @@ void split_at_vertices(MeshParts& parts, double tolerance, MeshReport& report) {
   }
   const ExtentTree tree(ends);
   std::unordered_map<std::uint32_t, std::vector<Splitting>> splittings;
-  for (const FreeEdge& edge : free) {
+  for (const Side& edge : free) {
     const Vec3& a = parts.vertices[edge.begin];
     const Vec3& b = parts.vertices[edge.end];
     const double square = dot(b - a, b - a);
