@@ -32,6 +32,22 @@ double length_of(const PreciseVector& a) {
   return length(rounded(a));
 }
 
+// The direction from a to b, exactly, in powers of two of which the longest component is almost one: with
+// lengths of any magnitude, products of many would leave the range of numbers.
+PreciseVector direction_between(const Vec3& a, const Vec3& b) {
+  const PreciseVector apart = precise_difference(b, a);
+  const double largest =
+      std::max({std::fabs(apart.x.high), std::fabs(apart.y.high), std::fabs(apart.z.high)});
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  constexpr int kLeast = -1000;  // beyond it, the scale would be infinite
+  const double scale = std::ldexp(1.0, -std::max(exponent, kLeast));
+  const auto scaled = [scale](const DoubleDouble<>& component) {
+    return DoubleDouble<>{scale * component.high, scale * component.low};
+  };
+  return {scaled(apart.x), scaled(apart.y), scaled(apart.z)};
+}
+
 // Where the center of a sphere is relative to a vertex: position + velocity t + curvature t^2.
 struct Course {
   PreciseVector position;
@@ -176,10 +192,8 @@ class Encounter {
   };
 
   Face face(std::uint32_t triangle) const {
-    const auto& [a, b, c] = mesh_.triangles()[triangle];
-    Face face{{mesh_.vertices()[a], mesh_.vertices()[b], mesh_.vertices()[c]}, {}, {}, {}};
-    face.normal = cross(precise_difference(face.corners[1], face.corners[0]),
-                        precise_difference(face.corners[2], face.corners[0]));
+    Face face{corners_of(triangle), {}, {}, {}};
+    face.normal = normal_of(face.corners);
     face.length = square_root(dot(face.normal, face.normal));
     face.height = Course(passage_, face.corners[0]).along(face.normal);
     return face;
@@ -203,8 +217,8 @@ class Encounter {
   }
 
   PreciseVector direction(std::uint32_t edge) const {
-    return precise_difference(mesh_.vertices()[mesh_.edges()[edge].high],
-                              mesh_.vertices()[mesh_.edges()[edge].low]);
+    return direction_between(mesh_.vertices()[mesh_.edges()[edge].low],
+                             mesh_.vertices()[mesh_.edges()[edge].high]);
   }
 
   // Widened by the slack, which is a distance, for a border whose normal has this length.
@@ -223,7 +237,7 @@ class Encounter {
         if (slab.empty()) {
           for (std::size_t k = 0; k < 3; ++k) {
             const PreciseVector inward =
-                cross(face.normal, precise_difference(face.corners[(k + 1) % 3], face.corners[k]));
+                cross(face.normal, direction_between(face.corners[k], face.corners[(k + 1) % 3]));
             slab.push_back(widened(Course(passage_, face.corners[k]).along(inward), length_of(inward)));
           }
           slab.emplace_back();
@@ -270,7 +284,7 @@ class Encounter {
     for (const std::uint32_t triangle : mesh_.triangles_at_edge(edge)) {
       if (!mesh_.has_area(triangle)) continue;
       // From the edge into the triangle, across the edge.
-      PreciseVector inward = cross(face_normal(triangle), along);
+      PreciseVector inward = cross(normal_of(corners_of(triangle)), along);
       for (std::size_t k = 0; k < 3; ++k) {
         if (mesh_.edges_of(triangle)[k] == edge && mesh_.triangles()[triangle][k] != mesh_.edges()[edge].low)
           inward = {-inward.x, -inward.y, -inward.z};
@@ -286,16 +300,18 @@ class Encounter {
     NormalCone cone;
     for (const std::uint32_t edge : mesh_.edges_at_vertex(vertex)) {
       const auto& [low, high] = mesh_.edges()[edge];
-      const PreciseVector along = precise_difference(mesh_.vertices()[low == vertex ? high : low], place);
+      const PreciseVector along = direction_between(place, mesh_.vertices()[low == vertex ? high : low]);
       cone.push_back(widened(negative(from.along(along)), length_of(along)));
     }
     return cone;
   }
 
-  PreciseVector face_normal(std::uint32_t triangle) const {
+  std::array<Vec3, 3> corners_of(std::uint32_t triangle) const {
     const auto& [a, b, c] = mesh_.triangles()[triangle];
-    return cross(precise_difference(mesh_.vertices()[b], mesh_.vertices()[a]),
-                 precise_difference(mesh_.vertices()[c], mesh_.vertices()[a]));
+    return {mesh_.vertices()[a], mesh_.vertices()[b], mesh_.vertices()[c]};
+  }
+  static PreciseVector normal_of(const std::array<Vec3, 3>& corners) {
+    return cross(direction_between(corners[0], corners[1]), direction_between(corners[0], corners[2]));
   }
 
   const Mesh& mesh_;
