@@ -103,7 +103,7 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
   state.walls = summarize_walls(scenario, world, tally, state.now);
   for (const DrivenMotion& motion : simulation.motions()) {
     state.motions.push_back({motion.name(), std::string(motion.motion().name()), motion.spheres().size(),
-                             motion.surfaces().size(), simulation.work_of(motion)});
+                             motion.surfaces().size(), simulation.work_of(motion), motion.stopped_at()});
   }
   state.species_counts.resize(scenario.species.size());
   state.bytes_per_sphere =
@@ -151,6 +151,7 @@ std::string Summary::json() const {
                                {"spheres", motion.spheres},
                                {"walls", motion.walls},
                                {"work", motion.work}});
+    if (motion.stopped_at) json["motions"].back()["stopped_at"] = *motion.stopped_at;
   }
   if (state.thermostat) {
     json["thermostat"] = {{"kind", hardball::name_of(state.thermostat->kind())},
@@ -237,7 +238,9 @@ std::string Summary::table() const {
     for (const WallSummary& group : wall.groups) add_wall("  " + group.name, group);
   }
   for (const MotionSummary& motion : state.motions)
-    add("motion " + motion.name, fmt::format("{}, work {:.6g}", motion.kind, motion.work));
+    add("motion " + motion.name,
+        fmt::format("{}, work {:.6g}{}", motion.kind, motion.work,
+                    motion.stopped_at ? fmt::format(", stopped at time {:.6g}", *motion.stopped_at) : ""));
   if (state.thermostat) {
     add("thermostat",
         fmt::format("{}, {} events, energy given {:.6g}", hardball::name_of(state.thermostat->kind()),

@@ -40,7 +40,8 @@ struct MotionSummary {
   std::string kind;
   std::size_t spheres = 0;  ///< How many it drives.
   std::size_t walls = 0;
-  double work = 0;  ///< On spheres [M L^2 T^-2].
+  double work = 0;                        ///< On spheres [M L^2 T^-2].
+  std::optional<double> stopped_at = {};  ///< When the pressure stopped it [T].
 };
 
 /// What a simulation has come to.

@@ -32,6 +32,13 @@ double magnitude(const Vec3& vector) {
   return std::max({std::fabs(vector.x), std::fabs(vector.y), std::fabs(vector.z)});
 }
 
+// Infinite or NaN if it is not known.
+double area_of_plane(const World& world, std::uint32_t number) {
+  const auto* const plane = std::get_if<Plane>(&world.surface(number).shape());
+  const double area = plane ? plane->area(world.box()) : std::numeric_limits<double>::quiet_NaN();
+  return std::isfinite(area) ? area : std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 DrivenMotion::DrivenMotion(std::string name, PrescribedMotion motion, std::vector<SphereId> spheres,
@@ -43,6 +50,14 @@ DrivenMotion::DrivenMotion(std::string name, PrescribedMotion motion, std::vecto
       knots_(motion_, 0) {
   ranges::sort(spheres_);
   ranges::sort(surfaces_);
+}
+
+void DrivenMotion::stop_at_pressure(double pressure, double interval) {
+  const std::string where = "motion " + name_;
+  check_positive(pressure, "pressure", where);
+  check_positive(interval, "interval", where);
+  pressure_ = pressure;
+  interval_ = interval;
 }
 
 bool DrivenMotion::drives(SphereId sphere) const {
@@ -64,6 +79,11 @@ void DrivenMotion::check_bodies(const World& world) const {
     throw Error("sphere " + to_text(id) + " is not kinematic", where, "give it an infinite mass");
   }
   for (const std::uint32_t number : surfaces_) check_surface(world, number);
+  const auto is_piston = [&](std::uint32_t number) { return area_of_plane(world, number) > 0; };
+  if (depends_on_pressure() && !(spheres_.empty() && ranges::all_of(surfaces_, is_piston))) {
+    throw Error("the motion stops at a pressure, and drives other than planes across axes of the box", where,
+                "let it drive such planes alone, or run in pieces and stop it by yourself");
+  }
   if (world.box().is_flat()) refuse_out_of_plane(motion_.span(), "the motion", where);
 }
 
@@ -114,6 +134,8 @@ void DrivenMotion::begin(const World& world, const Time& now) {
   knots_ = Knots(motion_, acceleration_);
   knot_ = knots_.first(motion_);
   has_acted_ = false;
+  looks_ = 0;
+  stopped_at_.reset();
   next_ = now.value();
 }
 
@@ -129,17 +151,58 @@ Vec3 DrivenMotion::displacement(const Knots::Number& knot, const Vec3& from) con
   return knots_.displacement(motion_, knot, from, {elapsed.high, elapsed.low});
 }
 
-void DrivenMotion::note_next() {
-  next_ = knots_.is_last(motion_, knot_) ? std::numeric_limits<double>::infinity()
-                                         : time_of(knots_.after(motion_, knot_));
+double DrivenMotion::end_of_chord() const {
+  if (stopped_at_ || knots_.is_last(motion_, knot_)) return std::numeric_limits<double>::infinity();
+  return time_of(knots_.after(motion_, knot_));
 }
 
-void DrivenMotion::act(const World& world, const Time& moment, std::vector<NewPlace>& places,
-                       std::vector<NewSurface>& surfaces) {
-  if (has_acted_) knot_ = knots_.after(motion_, knot_);
+double DrivenMotion::next_look() const {
+  if (!depends_on_pressure()) return std::numeric_limits<double>::infinity();
+  return after(begin_, static_cast<double>(looks_ + 1) * interval_).high;
+}
+
+// What has come to rest looks no more.
+void DrivenMotion::note_next() {
+  next_ = end_of_chord();
+  if (std::isfinite(next_)) next_ = std::min(next_, next_look());
+}
+
+double DrivenMotion::impulse(const ImpulseOn& impulse_on) const {
+  double sum = 0;
+  for (const std::uint32_t number : surfaces_) sum += impulse_on(number);
+  return sum;
+}
+
+bool DrivenMotion::is_pressed(const World& world, double impulse) const {
+  double area = 0;
+  for (const std::uint32_t number : surfaces_) area += area_of_plane(world, number);
+  return impulse >= pressure_ * area * interval_;
+}
+
+void DrivenMotion::act(const World& world, const ImpulseOn& impulse_on, const Time& moment,
+                       std::vector<NewPlace>& places, std::vector<NewSurface>& surfaces) {
+  if (has_acted_ && next_ == next_look()) {
+    const double before = std::exchange(impulse_, impulse(impulse_on));
+    ++looks_;
+    if (is_pressed(world, impulse_ - before)) {
+      stopped_at_ = next_;
+      for (const std::uint32_t number : surfaces_) {
+        const Surface& surface = world.surface(number);
+        const Vec3 point = surface.point() + duration(surface.since(), moment) * surface.velocity();
+        surfaces.push_back({number, surface.moved(moment, point, Vec3{})});
+      }
+      return note_next();
+    }
+    if (next_ < end_of_chord()) return note_next();
+  }
+  if (has_acted_) {
+    knot_ = knots_.after(motion_, knot_);
+  } else {
+    impulse_ = impulse(impulse_on);
+  }
   note_next();
   const double now = has_acted_ ? time_of(knot_) : begin_.value();
-  const double chord = next_ - now;
+  const double chord = end_of_chord() - now;
   if (!(chord > 0)) {
     throw RunFailure("the chords of the motion " + name_ + " are not resolved at time " + to_text(now) +
                      "; give it a larger tolerance");
@@ -187,7 +250,7 @@ bool DrivenMotion::restored() {
   if (spheres_.size() != places_.size() || surfaces_.size() != points_.size()) return false;
   if (!ranges::is_sorted(spheres_) || !ranges::is_sorted(surfaces_)) return false;
   check_moment(begin_, "motion");
-  if (!(acceleration_ >= 0)) return false;
+  if (!(acceleration_ >= 0) || !(pressure_ >= 0) || !(interval_ >= 0)) return false;
   for (const Vec3& place : places_) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) check_finite(place[axis], "place", "motion");
   }

@@ -3,6 +3,7 @@
 #include "hardball/motions/motion_schedule.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -22,6 +23,12 @@ bool MotionSchedule::drives_surface(std::uint32_t number) const {
 
 bool MotionSchedule::drives_surfaces() const {
   return ranges::any_of(motions_, [](const DrivenMotion& motion) { return !motion.surfaces().empty(); });
+}
+
+bool MotionSchedule::depends_on_pressure() const {
+  return ranges::any_of(motions_, [](const DrivenMotion& motion) {
+    return motion.depends_on_pressure() && std::isfinite(motion.next());
+  });
 }
 
 void MotionSchedule::add(DrivenMotion motion, const World& world, const Time& now) {
@@ -44,12 +51,12 @@ double MotionSchedule::next() const {
   return next;
 }
 
-void MotionSchedule::act(const World& world, const Time& moment) {
+void MotionSchedule::act(const World& world, const DrivenMotion::ImpulseOn& impulse_on, const Time& moment) {
   places_.clear();
   surfaces_.clear();
   const double now = next();
   for (DrivenMotion& motion : motions_) {
-    if (motion.next() == now) motion.act(world, moment, places_, surfaces_);
+    if (motion.next() == now) motion.act(world, impulse_on, moment, places_, surfaces_);
   }
   ranges::sort(places_, {}, &NewPlace::id);
 }

@@ -31,10 +31,13 @@ class HARDBALL_EXPORT MotionSchedule {
   /// motions drive the same body; see DrivenMotion::begin.
   void add(DrivenMotion motion, const World& world, const Time& now);
 
-  /// When the next chords begin [T]; infinity for never.
+  /// Whether one of them looks at the pressure on what it drives.
+  bool depends_on_pressure() const;
+
+  /// When one of them acts next [T]; infinity for never.
   double next() const;
   /// Begins the chords of next(), to which `moment` rounds. Cost: O(bodies). Error: see DrivenMotion::act.
-  void act(const World& world, const Time& moment);
+  void act(const World& world, const DrivenMotion::ImpulseOn& impulse_on, const Time& moment);
   /// The new paths of spheres, in the order of ids, and the surfaces that have changed, since the last call
   /// of `act`; valid until the next one.
   std::span<const NewPlace> places() const { return places_; }

@@ -42,8 +42,9 @@ void ThermostatActor::note_removed(SphereId sphere) {
   if (thermostat) thermostat->note_removed(sphere);
 }
 
-Action MotionActor::act(const World& world, const Tally&, const Time& moment) {
-  schedule.act(world, moment);
+Action MotionActor::act(const World& world, const Tally& tally, const Time& moment) {
+  const auto impulse_on = [&](std::uint32_t number) { return tally.wall(number).normal_impulse; };
+  schedule.act(world, impulse_on, moment);
   return {.places = schedule.places(), .surfaces = schedule.surfaces()};
 }
 

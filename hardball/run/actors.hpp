@@ -54,6 +54,7 @@ class MotionActor final : public Actor {
   std::string_view deed() const override { return "a chord of a prescribed motion begins"; }
   Time next() const override { return Time(schedule.next()); }
   Action act(const World& world, const Tally& tally, const Time& moment) override;
+  bool depends_on_sums() const override { return schedule.depends_on_pressure(); }
   bool changes_setting() const override { return schedule.drives_surfaces(); }
   void note_removed(SphereId sphere) override { schedule.note_removed(sphere); }
 };

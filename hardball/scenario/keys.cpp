@@ -643,6 +643,7 @@ TableDescription thermostat_keys() {
 
 TableDescription motions_keys() {
   const Names periodic{Rotation::kName, Oscillation::kName};
+  const Names straight{Oscillation::kName, Keyframes::kName};
   return {
       .title = "[[motions]]",
       .keys = {
@@ -686,6 +687,16 @@ TableDescription motions_keys() {
               {Keyframes::kName},
               key("tolerance", number(positive, "L"),
                   "how far spheres may be from the straight lines, which they need under gravity", "1e-6")),
+          only_for(straight,
+                   key("stop_pressure", number(positive, "M/(L T²)"),
+                       "the pressure of the spheres on the planes that it drives, across axes of the box, at "
+                       "which the motion ends",
+                       "2.5")),
+          only_for(straight,
+                   key("stop_interval", number(positive, "T"),
+                       "the time over which that pressure is averaged, again and again from the start on; "
+                       "required with `stop_pressure`",
+                       "10.0")),
       }};
 }
 

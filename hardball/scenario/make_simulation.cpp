@@ -25,8 +25,11 @@ DrivenMotion driven_motion(const Scenario& scenario, std::size_t motion) {
   for (std::size_t k = 0; k < scenario.surfaces.size(); ++k) {
     if (scenario.surfaces[k].motion == motion) surfaces.push_back(static_cast<std::uint32_t>(kFaces + k));
   }
-  return {scenario.motions[motion].name, scenario.motions[motion].made(scenario.dimensions()), spheres,
-          surfaces};
+  const MotionDescription& description = scenario.motions[motion];
+  DrivenMotion driven(description.name, description.made(scenario.dimensions()), spheres, surfaces);
+  if (description.stop_pressure > 0)
+    driven.stop_at_pressure(description.stop_pressure, description.stop_interval);
+  return driven;
 }
 
 void drive(const Scenario& scenario, Simulation& simulation) {

@@ -19,6 +19,17 @@ Vec3 read_axis(const Section& section, std::size_t dimensions) {
   return direction_of(*axis, "axis", kAxes);
 }
 
+// Where a motion along lines stops before its end.
+void read_stop(const Section& section, MotionDescription& motion) {
+  if (const auto pressure = section.find("stop_pressure")) {
+    motion.stop_pressure = pressure->number();
+    motion.stop_interval = section.need("stop_interval").number();
+  } else if (const auto interval = section.find("stop_interval")) {
+    throw Error("there is no stop_pressure", interval->location(),
+                "add the pressure at which the motion stops, or remove stop_interval");
+  }
+}
+
 MotionDescription read_motion(const Section& section, const std::filesystem::path& folder,
                               std::size_t dimensions) {
   const std::string kind = section.need("kind").text();
@@ -33,6 +44,7 @@ MotionDescription read_motion(const Section& section, const std::filesystem::pat
     motion.file = folder / section.need("file").text();
     if (const auto repeat = section.find("repeat")) motion.repeats = repeat->truth();
     if (tolerance) motion.tolerance = tolerance->number();
+    read_stop(section, motion);
     return motion;
   }
   const double frequency = section.need("frequency").number();
@@ -44,6 +56,7 @@ MotionDescription read_motion(const Section& section, const std::filesystem::pat
         made_at(where, [&] { return PrescribedMotion::rotation(point, axis, frequency, motion.tolerance); });
     return motion;
   }
+  read_stop(section, motion);
   const Vec3 direction = direction_of(section.need("direction"), "direction", dimensions);
   const double amplitude = section.need("amplitude").number();
   motion.motion = made_at(where, [&] {

@@ -147,6 +147,8 @@ struct HARDBALL_EXPORT MotionDescription {
   std::optional<std::filesystem::path> file;  ///< The table of keyframes.
   bool repeats = false;                       ///< Whether the table does.
   double tolerance = 0;                       ///< [L]
+  double stop_pressure = 0;                   ///< [M L^-1 T^-2]; zero if it does not stop.
+  double stop_interval = 0;                   ///< [T]
   std::string where;                          ///< Location in the scenario, for messages.
 
   /// The motion itself; reads the file. Error: see read_keyframes and Keyframes.

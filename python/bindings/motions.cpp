@@ -31,6 +31,7 @@ struct Driven {
   std::vector<std::uint32_t> surfaces;
   double next = 0;
   double work = 0;
+  std::optional<double> stopped_at;
 };
 
 PrescribedMotion keyframes(const ArrayLike& times, const ArrayLike& positions, bool repeat,
@@ -68,12 +69,19 @@ std::string call_of(const PrescribedMotion& motion) {
 }
 
 void drive(PythonSimulation& self, const PrescribedMotion& motion, const ArrayLike& ids,
-           const ArrayLike& surfaces, const std::string& name) {
+           const ArrayLike& surfaces, const std::string& name, std::optional<double> stop_pressure,
+           std::optional<double> stop_interval) {
   std::vector<std::uint32_t> numbers = counts_of(surfaces, "surfaces", 1U << 30);
   for (std::uint32_t& number : numbers) number += kFaces;
+  DrivenMotion driven(name, motion, counts_of(ids, "ids", kNoSphere), numbers);
+  if (stop_pressure.has_value() != stop_interval.has_value()) {
+    throw Error("stop_pressure and stop_interval belong together", "drive",
+                "give both: the pressure, and the time over which it is averaged");
+  }
+  if (stop_pressure) driven.stop_at_pressure(*stop_pressure, *stop_interval);
   self.check_not_recording("drive");
   self.warn_of_edit("drive");
-  self.simulation_to_edit().drive(DrivenMotion(name, motion, counts_of(ids, "ids", kNoSphere), numbers));
+  self.simulation_to_edit().drive(std::move(driven));
 }
 
 std::vector<Driven> motions(const PythonSimulation& self) {
@@ -85,7 +93,8 @@ std::vector<Driven> motions(const PythonSimulation& self) {
                   {motion.spheres().begin(), motion.spheres().end()},
                   {motion.surfaces().begin(), motion.surfaces().end()},
                   motion.next(),
-                  simulation.work_of(motion)};
+                  simulation.work_of(motion),
+                  motion.stopped_at()};
     for (std::uint32_t& number : driven.surfaces) number -= kFaces;
     all.push_back(std::move(driven));
   }
@@ -177,6 +186,8 @@ void bind_motions(py::module_& module) {
       .def_readonly("next", &Driven::next, "When the next chords begin [T]; infinity for never.")
       .def_readonly("work", &Driven::work,
                     "The work that it has done on spheres since the start [M L^2 T^-2].")
+      .def_readonly("stopped_at", &Driven::stopped_at,
+                    "When the pressure stopped it [T]; None if it has not.")
       .def("__repr__", [](const Driven& self) {
         return "<DrivenMotion " + self.name + ": " + std::string(self.motion.name()) + ", " +
                std::to_string(self.ids.size()) + " spheres, " + std::to_string(self.surfaces.size()) +
@@ -187,15 +198,18 @@ void bind_motions(py::module_& module) {
 void bind_driving(SimulationClass& simulation) {
   const py::tuple none = py::make_tuple();
   simulation
-      .def(
-          "drive", &drive, py::arg("motion"), py::arg("ids") = none, py::arg("surfaces") = none,
-          py::arg("name") = "motion",
-          "Lets a motion drive kinematic spheres, of infinite mass, and surfaces, by their place in the "
-          "list, "
-          "from now on, from where they are. Each chord begins after all contacts at its time. Cost: that of "
-          "a collision for each sphere and chord; for each chord of a surface, that of predicting all "
-          "spheres. Error, and nothing changes: a sphere is not kinematic; another motion drives it; a "
-          "surface cannot move so; spheres grow, or the box is sheared.")
+      .def("drive", &drive, py::arg("motion"), py::arg("ids") = none, py::arg("surfaces") = none,
+           py::arg("name") = "motion", py::arg("stop_pressure") = py::none(),
+           py::arg("stop_interval") = py::none(),
+           "Lets a motion drive kinematic spheres, of infinite mass, and surfaces, by their place in the "
+           "list, "
+           "from now on, from where they are. Each chord begins after all contacts at its time. With "
+           "stop_pressure [M L^-1 T^-2] the motion ends, and planes that it drives rest, when the mean "
+           "pressure on them over a stop_interval [T] is as high; it is looked at once in each interval. "
+           "Cost: that of "
+           "a collision for each sphere and chord; for each chord of a surface, that of predicting all "
+           "spheres. Error, and nothing changes: a sphere is not kinematic; another motion drives it; a "
+           "surface cannot move so; spheres grow, or the box is sheared.")
       .def(
           "stop_driving", [](PythonSimulation& self) { self.simulation_to_edit().stop_driving(); },
           "Ends all motions: spheres and surfaces keep the velocities that they have.")

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 import hardball
+from support import SCENARIOS
 
 
 def arm(gravity=(0, 0, 0), **keys):
@@ -67,6 +68,18 @@ class Motions(unittest.TestCase):
         simulation.drive(hardball.Motion.keyframes([0, 1], [[0, 0, 0], [0, 0, -2]]), surfaces=[0])
         simulation.run(until=2)
         self.assertEqual(list(simulation.motions[0].surfaces), [0])
+
+    def test_a_piston_stops_at_a_pressure(self):
+        simulation = hardball.Simulation.from_scenario(SCENARIOS / "piston.toml")
+        simulation.stop_driving()
+        down = hardball.Motion.keyframes([0, 1000], [[0, 0, 0], [0, 0, -20]])
+        with self.assertRaisesRegex(hardball.Error, "stop_interval"):
+            simulation.drive(down, surfaces=[1], stop_pressure=0.05)
+        simulation.drive(down, surfaces=[1], stop_pressure=0.05, stop_interval=20)
+        self.assertIsNone(simulation.motions[0].stopped_at)
+        simulation.run(until=400)
+        self.assertGreater(simulation.motions[0].stopped_at, 100)
+        self.assertEqual(simulation.motions[0].next, math.inf)
 
     def test_they_are_refused(self):
         simulation = arm()

@@ -206,6 +206,11 @@ TEST(Motions, AreRefused) {
   expect(refused(DrivenMotion("b", PrescribedMotion::rotation({}, {0, 0, 1}, 1, 1), {}, {6})),
          "a plane does not rotate");
   EXPECT_EQ(refused(DrivenMotion("b", still, {}, {6})), "");
+  DrivenMotion pressed("b", still, {}, {6});
+  expect(refusal_of([&] { pressed.stop_at_pressure(0, 1); }), "pressure");
+  expect(refusal_of([&] { pressed.stop_at_pressure(1, -1); }), "interval");
+  pressed.stop_at_pressure(1, 1);
+  expect(refused(pressed), "planes across axes of the box");  // which has no faces
 }
 
 TEST(Motions, AreNeededUnderGravity) {

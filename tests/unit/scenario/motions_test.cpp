@@ -140,5 +140,41 @@ TEST(MotionsOfAScenario, LetKinematicSpheresBeUnderGravity) {
   EXPECT_NE(untold.find("no tolerance"), std::string::npos) << untold;
 }
 
+// A wall that closes a tube, and comes down on a sphere that bounces ever faster.
+TEST(MotionsOfAScenario, StopAtAPressure) {
+  const auto tube = [](const std::string& keys) {
+    return R"([box]
+size = [4.0, 4.0, 8.0]
+boundary = ["periodic", "periodic", "wall"]
+[[motions]]
+kind = "oscillation"
+name = "piston"
+direction = [0.0, 0.0, -1.0]
+amplitude = 4.0
+frequency = 0.05
+tolerance = 1e-2
+)" + keys +
+           R"([[walls]]
+shape = "plane"
+point = [0.0, 0.0, 7.0]
+normal = [0.0, 0.0, -1.0]
+motion = "piston"
+[[spheres]]
+positions = [[2.0, 2.0, 1.0]]
+velocities = [[0.0, 0.0, 3.0]]
+radius = 0.5
+)";
+  };
+  Simulation simulation = simulation_of(tube("stop_pressure = 0.5\nstop_interval = 2.0\n"));
+  simulation.run_until(10);
+  EXPECT_EQ(simulation.motions().front().stopped_at(), 4.0);
+  EXPECT_EQ(simulation.world().surface(kFaces).velocity(), Vec3{});
+  const auto refused = [&](const std::string& keys) {
+    return refusal_of([&] { simulation_of(tube(keys)); });
+  };
+  EXPECT_NE(refused("stop_pressure = 0.5\n").find("stop_interval"), std::string::npos);
+  EXPECT_NE(refused("stop_interval = 0.5\n").find("stop_pressure"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hardball::scenario_motions_test
