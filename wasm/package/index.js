@@ -164,6 +164,30 @@ class Simulation {
     return this.engine.call('rays', [origins, directions, most]);
   }
 
+  keepMeasures(keep) {
+    return this.engine.call('keepMeasures', [keep]);
+  }
+
+  measures() {
+    return this.engine.call('measures', []);
+  }
+
+  beginRecording() {
+    return this.engine.call('beginRecording', []);
+  }
+
+  endRecording() {
+    return this.engine.call('endRecording', []);
+  }
+
+  recording() {
+    return this.engine.call('recording', []);
+  }
+
+  serveRecording(port) {
+    return this.engine.call('serveRecording', [port], undefined, [port]);
+  }
+
   save() {
     return this.engine.call('save', []);
   }
