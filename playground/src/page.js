@@ -113,6 +113,7 @@ class Playground {
   changed() {
     this.sliders.update();
     this.showButtons();
+    this.isChecked = false;
     clearTimeout(this.checkLater);
     this.checkLater = setTimeout(() => this.check(), kCheckAfter);
     clearTimeout(this.runLater);
@@ -120,12 +121,14 @@ class Playground {
   }
 
   async check() {
+    clearTimeout(this.checkLater);
     const { text } = this.editor;
     const found = await this.checks.check({ text, name: `${this.chosen.name}.toml`, files: this.filesOf(text) });
     if (!found || text !== this.editor.text) return;
     this.showProblem(found.error);
+    this.scenarioUntil = found.until ?? null;
     if (!found.error && !this.isUntilGiven) element('until').value = found.until ?? '';
-    this.isChecked = true;
+    this.isChecked = this.isReady = true;
     this.writeAddress();
     if (this.state === 'idle') element('status').textContent = found.error ? 'The scenario has an error.' : 'Ready to run.';
     this.showButtons();
@@ -190,8 +193,12 @@ class Playground {
 
   async restart() {
     this.discard();
+    this.enter('starting');
+    if (!this.isChecked) await this.check();
+    if (this.state !== 'starting') return;
     const until = element('until').valueAsNumber;
     if (!(until >= 0)) {
+      this.enter('idle');
       this.fail('The scenario does not say when it ends: give a time after "until".');
       element('until').focus();
       return;
@@ -206,10 +213,10 @@ class Playground {
       measures: element('measure').checked,
       onProgress: () => this.showSoon(begun),
     });
-    begun.expected = this.isUnchanged && (this.chosen.until === until || !this.isUntilGiven) ? this.chosen.hash : undefined;
+    begun.expected = this.isUnchanged && until === this.scenarioUntil ? this.chosen.hash : undefined;
     begun.isMeasured = element('measure').checked;
+    if (this.state !== 'starting') return;
     this.run = begun;
-    this.enter('starting');
     try {
       await begun.start();
     } catch (error) {
@@ -256,6 +263,7 @@ class Playground {
     this.fail('');
     showMeasures(element('measures'), []);
     element('hashes').hidden = true;
+    this.showComparison({});
     element('progress').value = 0;
     this.enter('idle');
     element('status').textContent = 'Ready to run.';
@@ -313,9 +321,9 @@ class Playground {
     const { state } = this;
     const goesOn = state === 'paused' && this.isOfRun && !this.run.isFull;
     element('run').textContent = state === 'starting' ? 'Starting …' : state === 'running' ? 'Pause' : goesOn ? 'Go on' : 'Run';
-    element('run').disabled = state === 'starting' || !this.isChecked;
+    element('run').disabled = state === 'starting' || !this.isReady;
     element('stop').disabled = !['running', 'paused', 'starting'].includes(state);
-    for (const id of ['save-scenario', 'share']) element(id).disabled = !this.isChecked;
+    for (const id of ['save-scenario', 'share']) element(id).disabled = !this.isReady;
     for (const id of ['show-report', 'save-recording', 'save-report', 'save-summary'])
       element(id).disabled = !['running', 'paused', 'ended'].includes(state);
   }
@@ -394,7 +402,7 @@ class Playground {
     element('until').addEventListener('input', () => {
       this.isUntilGiven = element('until').value !== '';
       this.showButtons();
-      if (this.isChecked) this.writeAddress();
+      this.writeAddress();
     });
     addEventListener('keydown', (event) => {
       if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey) || event.defaultPrevented) return;
