@@ -57,6 +57,7 @@ export class Run {
         if (reason === 'stopped') return false;
         this.firstHash = hash;
         if (reason === 'time') return true;
+        if (signal.aborted) return false;
       }
       return (await run({})).reason === 'time';
     } finally {
@@ -81,7 +82,6 @@ export class Run {
   }
 
   close() {
-    this.pause();
     this.simulation?.close();
     this.simulation = null;
   }

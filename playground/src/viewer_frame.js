@@ -41,7 +41,7 @@ export class ViewerFrame {
 
   feed() {
     const { port1, port2 } = new MessageChannel();
-    this.run.serve(port1);
+    this.run.serve(port1).catch(() => {}); // if the run was closed meanwhile
     this.frame.contentWindow.postMessage('hardball-source', location.origin, [port2]);
   }
 }

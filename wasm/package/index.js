@@ -87,7 +87,8 @@ class Simulation {
 
   async run({ until, contacts, slice, signal, onProgress } = {}) {
     signal?.throwIfAborted();
-    const stop = () => this.engine.call('stop', []);
+    // A simulation that is closed has stopped.
+    const stop = () => this.engine.call('stop', []).catch(() => {});
     signal?.addEventListener('abort', stop);
     try {
       return await this.engine.call('run', [{ until, contacts, slice }], onProgress);
