@@ -238,7 +238,7 @@ class Playground {
       const isAtEnd = await going.go();
       if (this.run !== going) return;
       if (isAtEnd) await this.end();
-      else this.enter('paused');
+      else if (!going.isEnded) this.enter('paused');
       if (going.isFull) this.fail('The recording has 700 MB, so the run was paused. Stop it to save what there is.');
     } catch (error) {
       if (this.run !== going) return;
