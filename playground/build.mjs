@@ -54,22 +54,22 @@ async function scenariosIn(source, hashes) {
   );
 }
 
-// A text in Markdown, after lines "key: value" between two lines "---".
-async function lessonOf(source, file) {
-  const text = await readFile(join(source, file), 'utf8');
-  const [, head, body] = /^---\n(.*?)\n---\n(.*)$/s.exec(text) ?? [];
+// A text in Markdown, after lines "key: value" between two lines "---"; the scenario is named relative to it.
+async function lessonOf(source, file, scenarios) {
+  const lesson = await readFile(join(source, file), 'utf8');
+  const [, head, body] = /^---\n(.*?)\n---\n(.*)$/s.exec(lesson) ?? [];
   if (head === undefined) throw new Error(`${file}: it does not begin with its title, scenario and order between lines ---`);
   const facts = Object.fromEntries(head.split('\n').map((line) => line.match(/^(\w+):\s*(.*)$/).slice(1)));
   const name = file.slice(0, -'.md'.length);
-  const scenario = (facts.scenario ?? `${name}.toml`).split('/').at(-1);
-  const title = facts.title.replace(/^"(.*)"$/, '$1');
-  return { name, title, order: Number(facts.order), html: marked.parse(body), text: await readFile(join(source, scenario), 'utf8') };
+  const text = await readFile(join(source, facts.scenario), 'utf8');
+  const { hash } = scenarios.find((scenario) => scenario.text === text) ?? {};
+  return { name, title: facts.title, order: Number(facts.order), description: facts.summary, html: marked.parse(body), text, hash };
 }
 
-async function lessonsIn(source) {
+async function lessonsIn(source, scenarios) {
   if (!existsSync(source)) return [];
   const names = (await readdir(source)).filter((name) => name.endsWith('.md'));
-  const lessons = await Promise.all(names.map((file) => lessonOf(source, file)));
+  const lessons = await Promise.all(names.map((file) => lessonOf(source, file, scenarios)));
   return lessons.sort((one, other) => one.order - other.order);
 }
 
@@ -85,12 +85,9 @@ async function writeLibrary() {
       files.push(name);
     }
   }
-  const library = {
-    scenarios: await scenariosIn(scenarioFolder, await nativeHashes()),
-    lessons: await lessonsIn(lessonFolder),
-    files,
-  };
-  await writeFile(join(folder, 'library.json'), JSON.stringify(library));
+  const scenarios = await scenariosIn(scenarioFolder, await nativeHashes());
+  const lessons = await lessonsIn(lessonFolder, scenarios);
+  await writeFile(join(folder, 'library.json'), JSON.stringify({ scenarios, lessons, files }));
 }
 
 // --- page ---

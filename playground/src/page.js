@@ -57,7 +57,7 @@ class Playground {
 
   fillChoices() {
     const options = (choices) => [...choices.values()].map(({ name, title }) => new Option(title, name));
-    element('scenario').append(...options(this.scenarios), Object.assign(new Option('From a link', ''), { hidden: true }));
+    element('scenario').append(...options(this.scenarios), Object.assign(new Option('–', ''), { hidden: true }));
     element('lesson').append(...options(this.lessons));
     element('lesson-label').hidden = this.lessons.size === 0;
   }
@@ -79,20 +79,28 @@ class Playground {
     else this.open(scenario ?? this.scenarios.get(kFirstScenario), parts);
   }
 
+  /** Opens a scenario or a lesson of the playground, or one from a link, which has a name and a text. */
   open(chosen, { until } = {}) {
     this.discard();
     this.chosen = chosen;
-    const isLesson = this.lessons.get(chosen.name) === chosen;
-    const isScenario = this.scenarios.get(chosen.name) === chosen;
-    element('scenario').value = isScenario ? chosen.name : '';
-    element('lesson').value = isLesson ? chosen.name : '';
+    const { kind } = this;
+    element('scenario').value = kind === 'scenario' ? chosen.name : '';
+    element('scenario').querySelector('[value=""]').textContent = kind === 'link' ? 'From a link' : '–';
+    element('lesson').value = kind === 'lesson' ? chosen.name : '';
     element('description').textContent = chosen.description ?? '';
-    element('lesson-text').innerHTML = isLesson ? chosen.html : '';
-    element('lesson-text').hidden = !isLesson;
+    element('lesson-text').innerHTML = chosen.html ?? '';
+    element('lesson-text').hidden = kind !== 'lesson';
+    element('lesson-text').scrollTop = 0;
     this.isUntilGiven = until !== undefined;
     element('until').value = until ?? '';
     this.editor.text = chosen.text;
     this.changed();
+  }
+
+  /** What was chosen: a 'scenario' or a 'lesson' of the playground, or a 'link'. */
+  get kind() {
+    const { name } = this.chosen;
+    return this.lessons.get(name) === this.chosen ? 'lesson' : this.scenarios.get(name) === this.chosen ? 'scenario' : 'link';
   }
 
   get isUnchanged() {
@@ -147,11 +155,9 @@ class Playground {
 
   async parts() {
     const until = this.isUntilGiven ? element('until').value : null;
-    if (!this.isUnchanged || !(this.scenarios.has(this.chosen.name) || this.lessons.has(this.chosen.name))) {
-      return { name: this.chosen.name, until, s: await packed(this.editor.text) };
-    }
-    const kind = this.lessons.get(this.chosen.name) === this.chosen ? 'lesson' : 'scenario';
-    return { [kind]: this.chosen.name, until };
+    const { name } = this.chosen;
+    if (this.isUnchanged && this.kind !== 'link') return { [this.kind]: name, until };
+    return { name, until, s: await packed(this.editor.text) };
   }
 
   async writeAddress() {

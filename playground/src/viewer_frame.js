@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
+const kPatience = 100; // ms between looks at whether the viewer is ready
+
 /** The page of the viewer in a frame, fed by a run. */
 export class ViewerFrame {
   /** `state`: how the viewer begins, as its address has it. */
@@ -41,7 +43,16 @@ export class ViewerFrame {
 
   feed() {
     const { port1, port2 } = new MessageChannel();
+    const { frame } = this;
     this.run.serve(port1).catch(() => {}); // if the run was closed meanwhile
-    this.frame.contentWindow.postMessage('hardball-source', location.origin, [port2]);
+    frame.contentWindow.postMessage('hardball-source', location.origin, [port2]);
+    if (!matchMedia('(prefers-reduced-motion: reduce)').matches) this.playWhenReady(frame);
+  }
+
+  playWhenReady(frame) {
+    if (this.frame !== frame) return;
+    const viewer = frame.contentWindow.hardball;
+    if (viewer?.state().isReady) viewer.play();
+    else setTimeout(() => this.playWhenReady(frame), kPatience);
   }
 }

@@ -263,9 +263,11 @@ test('a link has the whole scenario', async () => {
   await page.click('#link .close');
   // The address of the page itself keeps it, too.
   await page.waitForFunction(() => location.hash.includes('s='));
-  await page.reload();
-  await whenReady(page);
-  assert.equal(await textOf(page), kGas);
+  for (let time = 0; time < 2; ++time) {
+    await page.reload();
+    await whenReady(page);
+    assert.equal(await textOf(page), kGas);
+  }
   await close(page);
 
   const other = await openPlayground(new URL(link).hash);
