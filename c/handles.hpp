@@ -3,10 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "c/hardball.h"
+#include "hardball/measures.hpp"
+#include "hardball/recording.hpp"
+#include "hardball/scenario.hpp"
 #include "hardball/simulation.hpp"
 #include "hardball/world.hpp"
 
@@ -23,12 +28,16 @@ struct hb_simulation {
   hb_simulation(const hb_simulation&) = delete;
 
   hardball::Simulation simulation;
+  std::shared_ptr<const hardball::Scenario> scenario;  // which it was started from; may be none
+  std::optional<hardball::Measures> measures;          // if runs measure
+  std::optional<hardball::RecordingWriter> recording;  // if runs are recorded
   bool keeps_contacts = false;
   bool is_running = false;
   std::vector<hb_contact> contacts;  // of the last run
   std::vector<hb_contact> spare;     // whose memory the next run takes
   std::vector<hb_contact> ahead;     // of the last hb_contacts_within
   std::string saved;
+  std::string measured;  // of the last hb_get_measures
 };
 
 namespace hardball::c {
@@ -41,5 +50,11 @@ Sphere sphere_of(const hb_sphere* description);
 hb_kind kind_of(EventKind kind);
 /// A contact as C sees it.
 hb_contact contact_of(const Contact& contact);
+/// Has runs keep their contacts and record them, as the simulation says.
+void observe(hb_simulation& handle);
+/// Error: runs are measured or recorded, so that spheres cannot be added or removed.
+void check_spheres_may_change(const hb_simulation& handle);
+/// Error: it is running, and a stop function calls.
+void check_idle(const hb_simulation& handle);
 
 }  // namespace hardball::c

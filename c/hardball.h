@@ -401,9 +401,10 @@ HB_API hb_status hb_change_velocity(hb_simulation* simulation, hb_id id, const d
 /// twice.
 HB_API hb_status hb_change_velocities(hb_simulation* simulation, size_t count, const hb_id* ids,
                                       hb_const_array velocities);
-/// Adds a sphere; `id` may be NULL. Error: as for hb_world_add; it overlaps another sphere; spheres grow.
+/// Adds a sphere; `id` may be NULL. Error: as for hb_world_add; it overlaps another sphere; spheres grow, or
+/// are measured or recorded.
 HB_API hb_status hb_add(hb_simulation* simulation, const hb_sphere* sphere, hb_id* id);
-/// Removes a sphere. Error: no sphere has this id; spheres grow.
+/// Removes a sphere. Error: no sphere has this id; spheres grow, or are measured or recorded.
 HB_API hb_status hb_remove(hb_simulation* simulation, hb_id id);
 
 /* --- queries, which change nothing, and answer HB_KIND_NONE if there is nothing ------------------- */
@@ -488,6 +489,29 @@ HB_API hb_status hb_overlap_ball(const hb_simulation* simulation, const double c
 /// box.
 HB_API hb_status hb_overlap_box(const hb_simulation* simulation, const double low[3], const double high[3],
                                 const hb_mask* mask, hb_id* out, size_t capacity, size_t* count);
+
+/* --- measures and recordings, which change no history --------------------------------------------- */
+
+/// Whether runs measure from now on, and anew: what the scenario names in [measures], and without a scenario
+/// all but transport. At first they do not. Measures are neither copied nor saved with a simulation. As long
+/// as runs measure, spheres can be neither added nor removed.
+HB_API hb_status hb_keep_measures(hb_simulation* simulation, int keep);
+/// What runs have measured, as a JSON array with an object for each measure; docs/c.md has its members.
+/// The text ends in a zero, which `*byte_count` leaves out, and is valid until the next call of this function
+/// or of hb_free; `byte_count` may be NULL. What is measured does not depend on when it is read. Cost: for
+/// most measures O(n). Error: runs do not measure.
+HB_API hb_status hb_get_measures(hb_simulation* simulation, const char** json, size_t* byte_count);
+/// Records runs from now on in a file, which `hardball view` shows; an earlier recording ends. Recordings are
+/// neither copied nor saved with a simulation. As long as runs are recorded, spheres can be neither added nor
+/// removed. Error: the file cannot be written; a shape cannot be recorded.
+HB_API hb_status hb_begin_recording(hb_simulation* simulation, const char* path);
+/// Completes the file up to the last contact, so that readers see it; `byte_count`, how long it is then, may
+/// be NULL. Each call adds the state of all spheres to the file. Error: nothing is recorded. HB_RUN_FAILED:
+/// the file cannot be written.
+HB_API hb_status hb_flush_recording(hb_simulation* simulation, uint64_t* byte_count);
+/// Ends the recording at the present time, and does nothing if there is none; hb_free ends it at the last
+/// contact. HB_RUN_FAILED: as for hb_flush_recording.
+HB_API hb_status hb_end_recording(hb_simulation* simulation);
 
 #ifdef __cplusplus
 }

@@ -61,12 +61,8 @@ EngineOptions options_of(const hb_options* options) {
 }
 
 void keep_contacts(hb_simulation& handle, bool keep) {
-  Observer observer;
-  if (keep) {
-    observer.contact = [&handle](const Contact& contact) { handle.contacts.push_back(contact_of(contact)); };
-  }
-  handle.simulation.observe(std::move(observer));
   handle.keeps_contacts = keep;
+  observe(handle);
 }
 
 // Marks a simulation as running for the time of a scope.
@@ -82,13 +78,12 @@ class Running {
 
 // Error: as for Simulation::run; the contacts of the last run are then still there.
 RunStatus run(hb_simulation& handle, const RunLimits& limits) {
-  if (handle.is_running)
-    throw Error("it is running", "simulation", "run it again when the stop function has returned");
+  check_idle(handle);
   handle.spare.clear();
   handle.contacts.swap(handle.spare);
   const Running running(handle);
   try {
-    return handle.simulation.run(limits);
+    return handle.measures ? handle.simulation.run(limits, *handle.measures) : handle.simulation.run(limits);
   } catch (const Error&) {
     if (handle.contacts.empty()) handle.contacts.swap(handle.spare);
     throw;
@@ -171,6 +166,11 @@ hb_simulation* released(Simulation simulation) {
   return std::make_unique<hb_simulation>(std::move(simulation)).release();
 }
 
+void change_velocities(hb_simulation& handle, std::span<const VelocityEdit> edits) {
+  if (handle.measures) return handle.simulation.change_velocities(edits, *handle.measures);
+  handle.simulation.change_velocities(edits);
+}
+
 }  // namespace
 }  // namespace hardball::c
 
@@ -191,10 +191,12 @@ hb_status hb_start_scenario(const char* text, const char* name, const char* cons
     given_array(overrides, override_count, "overrides");
     std::vector<std::string> changes;
     for (std::size_t k = 0; k < override_count; ++k) changes.emplace_back(&given(overrides[k], "overrides"));
-    const hardball::Scenario scenario =
-        hardball::parse_scenario(&given(text, "text"), &given(name, "name"), changes);
-    *out = released(hardball::make_simulation(scenario, hardball::make_world(scenario), options_of(options)));
-    if (until != nullptr) *until = scenario.run.until.value_or(HUGE_VAL);
+    const auto scenario = std::make_shared<const hardball::Scenario>(
+        hardball::parse_scenario(&given(text, "text"), &given(name, "name"), changes));
+    *out =
+        released(hardball::make_simulation(*scenario, hardball::make_world(*scenario), options_of(options)));
+    (*out)->scenario = scenario;
+    if (until != nullptr) *until = scenario->run.until.value_or(HUGE_VAL);
   });
 }
 
@@ -202,6 +204,7 @@ hb_status hb_copy(const hb_simulation* simulation, hb_simulation** out) {
   return guarded([&] {
     check_given(out, "out");
     auto copy = std::make_unique<hb_simulation>(given(simulation, "simulation").simulation);
+    copy->scenario = simulation->scenario;
     // The observer of the original belongs to the original.
     keep_contacts(*copy, simulation->keeps_contacts);
     *out = copy.release();
@@ -369,30 +372,35 @@ hb_status hb_set_user_data(hb_simulation* simulation, hb_id id, std::uint64_t da
 
 hb_status hb_change_velocity(hb_simulation* simulation, hb_id id, const double velocity[3]) {
   return guarded([&] {
-    given(simulation, "simulation").simulation.change_velocity(id, vector_of(&given(velocity, "velocity")));
+    const hardball::VelocityEdit edit{id, vector_of(&given(velocity, "velocity"))};
+    change_velocities(given(simulation, "simulation"), {&edit, 1});
   });
 }
 
 hb_status hb_change_velocities(hb_simulation* simulation, std::size_t count, const hb_id* ids,
                                hb_const_array velocities) {
   return guarded([&] {
-    hardball::Simulation& of = given(simulation, "simulation").simulation;
+    hb_simulation& handle = given(simulation, "simulation");
     given_array(ids, count, "ids");
     const Rows rows(velocities, HB_F64, count > 0, "velocities");
     std::vector<hardball::VelocityEdit> edits;
     edits.reserve(count);
     for (std::size_t row = 0; row < count; ++row) edits.push_back({ids[row], rows.vector(row)});
-    of.change_velocities(edits);
+    change_velocities(handle, edits);
   });
 }
 
 hb_status hb_add(hb_simulation* simulation, const hb_sphere* sphere, hb_id* id) {
   return guarded([&] {
-    const hb_id added = given(simulation, "simulation").simulation.add(sphere_of(sphere));
+    check_spheres_may_change(given(simulation, "simulation"));
+    const hb_id added = simulation->simulation.add(sphere_of(sphere));
     if (id != nullptr) *id = added;
   });
 }
 
 hb_status hb_remove(hb_simulation* simulation, hb_id id) {
-  return guarded([&] { given(simulation, "simulation").simulation.remove(id); });
+  return guarded([&] {
+    check_spheres_may_change(given(simulation, "simulation"));
+    simulation->simulation.remove(id);
+  });
 }

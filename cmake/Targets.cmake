@@ -66,3 +66,18 @@ function(hardball_add_units target)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
                         VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
+
+# hardball_say_version(TARGET SOURCE): the source, one of the target, knows version, kind of build and commit of the program. The
+# commit is read at each build; if it is another, this source is compiled again.
+function(hardball_say_version target source)
+  set(folder ${PROJECT_BINARY_DIR}/commit)
+  if(NOT TARGET hardball_commit)
+    add_custom_target(hardball_commit BYPRODUCTS ${folder}/commit.hpp
+                      COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D HEADER=${folder}/commit.hpp
+                              -P ${PROJECT_SOURCE_DIR}/cmake/commit.cmake VERBATIM)
+  endif()
+  add_dependencies(${target} hardball_commit)
+  set_source_files_properties(${source} PROPERTIES COMPILE_DEFINITIONS
+                              "HARDBALL_VERSION=\"${PROJECT_VERSION}\";HARDBALL_BUILD_TYPE=\"$<CONFIG>\""
+                              INCLUDE_DIRECTORIES ${folder})
+endfunction()

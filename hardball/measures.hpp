@@ -7,3 +7,4 @@
 #include "hardball/errors/compilation.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/statistics/measurement.hpp"
+#include "hardball/statistics/measurement_json.hpp"

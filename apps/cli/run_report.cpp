@@ -15,6 +15,7 @@
 #include "apps/cli/start.hpp"
 #include "apps/cli/version.hpp"
 #include "hardball/measure/units.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/theory.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
@@ -175,8 +176,7 @@ report::CostCurve choice(const Simulation& simulation, const GasStatistics& stat
 void make_names_unique(std::vector<report::SpeciesReport>& species) {
   const std::vector<report::SpeciesReport> before = species;
   for (report::SpeciesReport& each : species) {
-    if (each.name.empty() || std::ranges::count(before, each.name, &report::SpeciesReport::name) == 1)
-      continue;
+    if (each.name.empty() || ranges::count(before, each.name, &report::SpeciesReport::name) == 1) continue;
     each.name += fmt::format(" (radius {:.4g}, mass {:.4g})", each.radius, each.mass);
   }
 }
@@ -201,7 +201,7 @@ std::vector<report::SpeciesReport> species(const Scenario& scenario, const World
 report::SurfaceReport surface_report(const WallSummary& wall) {
   report::SurfaceReport report;
   report.name = wall.name;
-  std::ranges::replace(report.name, '_', ' ');
+  ranges::replace(report.name, '_', ' ');
   report.shape = wall.shape;
   report.contacts = wall.tally.contacts;
   report.area = wall.area;

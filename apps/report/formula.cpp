@@ -9,6 +9,7 @@
 #include <cctype>
 
 #include "hardball/io/xml_text.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball::report {
 namespace {
@@ -43,7 +44,7 @@ constexpr std::string_view kRight = "\\right";
 // The text of a command; empty if it is not among `symbols`.
 template <std::size_t Size>
 std::string_view text_of(const std::array<Symbol, Size>& symbols, std::string_view command) {
-  const auto found = std::ranges::find(symbols, command, &Symbol::command);
+  const auto found = ranges::find(symbols, command, &Symbol::command);
   return found == symbols.end() ? std::string_view() : found->text;
 }
 
@@ -151,7 +152,7 @@ class Formula {
     if (const auto text = text_of(kLetters, name); !text.empty()) return fmt::format("<mi>{}</mi>", text);
     if (const auto text = text_of(kOperators, name); !text.empty()) return fmt::format("<mo>{}</mo>", text);
     if (const auto text = text_of(kBrackets, name); !text.empty()) return delimiter(text, false);
-    if (std::ranges::find(kFunctions, name) != kFunctions.end()) {
+    if (ranges::find(kFunctions, name) != kFunctions.end()) {
       return fmt::format("<mi>{}</mi><mo>&#x2061;</mo>", name);
     }
     return "<mtext>\\" + xml_escaped(name) + "</mtext>";
@@ -208,7 +209,7 @@ class Formula {
 
   template <class Is>
   std::string_view take_while(Is is) {
-    return take(static_cast<std::size_t>(std::ranges::find_if_not(rest_, is) - rest_.begin()));
+    return take(static_cast<std::size_t>(ranges::find_if_not(rest_, is) - rest_.begin()));
   }
 
   // A character of one or more bytes.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/report/number_text.hpp"
+#include "hardball/standard/ranges.hpp"
 
 namespace hardball::report {
 namespace {
@@ -20,7 +21,7 @@ std::string label_of(const std::string& name, const std::string& unit) {
 
 std::size_t characters_of(const std::string& text) {
   return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
+      ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
 }
 
 // A chart under construction.
@@ -56,7 +57,7 @@ std::string quantities_of(const std::vector<const Column*>& values, const Specie
   std::vector<std::string> names;
   for (const Column* value : values) {
     const std::string name = species.quantity(value->name);
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    if (ranges::find(names, name) == names.end()) names.push_back(name);
   }
   std::string joined;
   for (const std::string& name : names) joined += (joined.empty() ? "" : ", ") + name;

@@ -17,6 +17,7 @@
 #include "apps/report/species_names.hpp"
 #include "hardball/io/xml_text.hpp"
 #include "hardball/measure/event_log_hash.hpp"
+#include "hardball/standard/ranges.hpp"
 #include "hardball/statistics/agreement.hpp"
 #include "hardball/world/audit.hpp"
 
@@ -103,7 +104,7 @@ double energy_drift(const Report& report) {
 
 SpeciesNames names_of(const std::vector<SpeciesReport>& species) {
   std::vector<std::string> names(species.size());
-  std::ranges::transform(species, names.begin(), &SpeciesReport::name);
+  ranges::transform(species, names.begin(), [](const SpeciesReport& each) { return each.name; });
   return SpeciesNames(std::move(names));
 }
 
@@ -129,7 +130,7 @@ std::map<std::string, std::vector<std::string>> unsettled_titles(const Report& r
   std::map<std::string, std::vector<std::string>> titles;
   for (const Measurement& measurement : report.measurements) {
     const auto has_value = [](const Quantity& quantity) { return std::isfinite(quantity.value); };
-    if (measurement.is_transient_over || !std::ranges::any_of(measurement.quantities, has_value)) continue;
+    if (measurement.is_transient_over || !ranges::any_of(measurement.quantities, has_value)) continue;
     titles[measurement.unsettled].push_back(measurement.title);
   }
   return titles;

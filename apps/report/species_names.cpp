@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "hardball/standard/ranges.hpp"
+
 namespace hardball::report {
 namespace {
 
@@ -41,7 +43,7 @@ std::string SpeciesNames::readable(std::string_view name) const {
     if (!species.empty()) species += "–";
     species += names_[k].empty() ? std::to_string(k + 1) : names_[k];
   }
-  if (std::ranges::any_of(parts.species, [this](std::size_t k) { return names_[k].empty(); })) {
+  if (ranges::any_of(parts.species, [this](std::size_t k) { return names_[k].empty(); })) {
     species = "species " + species;
   }
   if (!parts.quantity.ends_with(kOfSpecies)) return parts.quantity + ", " + species;

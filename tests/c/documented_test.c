@@ -40,6 +40,16 @@ static void must(hb_status status) {
   OK(status);
 }
 
+static const char* measured_and_recorded(hb_simulation* simulation) {
+  const char* json;
+  must(hb_keep_measures(simulation, 1));
+  must(hb_begin_recording(simulation, "gas.hbr"));
+  must(hb_run_until(simulation, 10));
+  must(hb_end_recording(simulation));
+  must(hb_get_measures(simulation, &json, NULL));
+  return json;
+}
+
 static int64_t microseconds(void) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -91,6 +101,8 @@ int main(void) {
   CHECK(enemies_seen(simulation, ships[0].place, 3, ways[0], hits) == 1 && hits[0].body == 1);
   CHECK(run_within(simulation, 1, 0) == HB_RUN_STOPPED && hb_time(simulation) == 0);
   CHECK(run_within(simulation, 1, 600000000) == HB_RUN_TIME_REACHED && hb_time(simulation) == 1);
+  CHECK(strstr(measured_and_recorded(simulation), "\"name\":\"temperature\"") != NULL);
+  remove("gas.hbr");
   hb_free(simulation);
   hb_world_free(world);
   floor_of_sand(&setting);

@@ -9,6 +9,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { PortSource } from '../../apps/viewer/page/src/recording/port_source.js';
+import { readRecording } from '../../apps/viewer/page/src/recording/recording_file.js';
 
 const package_ = process.env.HARDBALL_PACKAGE;
 const { open, load, check, HardballError } = await import(pathToFileURL(join(package_, 'index.js')));
@@ -138,6 +140,57 @@ for (const worker of [true, false]) {
     await assert.rejects(gas.run({ until: -1 }), HardballError);
     assert.equal((await gas.run({ until: 0.1 })).time, 0.1);
     gas.close();
+  });
+
+  test(`runs are measured, ${where}`, async () => {
+    const gas = await open(kGas, { worker, values: { 'measures.names': ['temperature', 'radial_distribution'] } });
+    await assert.rejects(gas.measures(), HardballError);
+    await gas.keepMeasures(true);
+    const plain = await open(kGas, { worker });
+    const { hash } = await gas.run({ until: 2 });
+    assert.equal(hash, (await plain.run({ until: 2 })).hash);
+    const [temperature, distribution, ...others] = await gas.measures();
+    assert.equal(others.length, 0);
+    assert.equal(temperature.name, 'temperature');
+    const { value, theory } = temperature.quantities.find(({ name }) => name === 'temperature');
+    assert.ok(Math.abs(value - 1) < 0.2 && theory !== undefined, `${value}`);
+    assert.equal(temperature.duration, 2);
+    const [radius, g] = distribution.columns;
+    assert.deepEqual([radius.role, g.role], ['argument', 'value']);
+    assert.ok(radius.values.length === g.values.length && g.values.some((each) => each > 1));
+    await assert.rejects(gas.add({ position: [1, 1, 1] }), /measured/);
+    gas.close();
+    plain.close();
+  });
+
+  test(`runs are recorded, and the recording is served while it grows, ${where}`, async () => {
+    const gas = await open(kGas, { worker });
+    await assert.rejects(gas.recording(), /there is no recording/);
+    await gas.beginRecording();
+    const { port1, port2 } = new MessageChannel();
+    await gas.serveRecording(port1);
+    const source = new PortSource(port2);
+    await source.open();
+    assert.deepEqual([source.header.spheres, source.radii[7], source.masses[199]], [200, 0.4, 1]);
+    assert.deepEqual([source.ends.length, source.status.finished], [0, false]);
+    const { hash, collisions } = await gas.run({ until: 2 });
+    await source.poll();
+    const { finished, reached, event_log_hash } = source.status;
+    assert.deepEqual([finished, reached, event_log_hash], [false, 2, hash]);
+    const known = source.ends.length;
+    assert.ok(known > 0 && source.ends.at(-1) < 2);
+    await gas.endRecording();
+    await source.poll();
+    assert.ok(source.status.finished && source.ends.at(-1) === 2 && source.ends.length > known);
+    let contacts = 0;
+    for (let number = 0; number < source.ends.length; ++number) contacts += (await source.chunk(number)).contacts;
+    assert.equal(contacts, collisions);
+    await assert.rejects(source.chunk(source.ends.length));
+    const whole = readRecording((await gas.recording()).buffer);
+    assert.equal(whole.damage, null);
+    assert.deepEqual(whole.chunks.map(({ end }) => end), source.ends);
+    gas.close();
+    port2.close();
   });
 
   test(`a run is stopped between slices, ${where}`, async () => {

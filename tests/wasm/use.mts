@@ -11,6 +11,11 @@ const error: HardballError | null = await check('x');
 if (error?.place) console.log(error.place.line + 1, status.hash.length, p.length, q.length);
 const hits = await gas.rays([0, 0, 0], new Float64Array(3), 3);
 console.log(hits[0]?.normal[2], (await gas.contacts()).point[0], (await load(await gas.save())).until);
+await gas.keepMeasures(true);
+const error_of_first: number | null | undefined = (await gas.measures())[0]?.quantities[0]?.error;
+await gas.beginRecording();
+await gas.serveRecording(new MessageChannel().port1);
+console.log(error_of_first, (await gas.recording()).length);
 await gas.add({ position: [1, 2, 3], mass: Infinity });
 // @ts-expect-error: there is no such engine
 await open('x', { engine: 'none' });

@@ -132,6 +132,52 @@ export interface Sphere {
   species?: number;
 }
 
+/** A measured number. */
+export interface Quantity {
+  readonly name: string;
+  /** A product of powers of L, T and M, as in "L^2 T^-1"; "1" for a pure number. */
+  readonly unit: string;
+  readonly value: number | null;
+  /** The standard error; 0 if the value is exact, null if it is not known. */
+  readonly error: number | null;
+  /** What theory expects, or null. */
+  readonly theory: number | null;
+  /** How far off theory may be; null if it is given for comparison only. */
+  readonly tolerance: number | null;
+  /** Why there is no value or no error; empty if there are both. */
+  readonly reason: string;
+}
+
+/** A column of a function that was measured. */
+export interface Column {
+  readonly name: string;
+  readonly unit: string;
+  /** 'error' and 'theory' belong to the value column before them. */
+  readonly role: 'argument' | 'value' | 'error' | 'theory';
+  readonly values: readonly (number | null)[];
+}
+
+/** What a measure has found. */
+export interface Measurement {
+  readonly name: string;
+  readonly title: string;
+  /** How the numbers are defined, in LaTeX between dollar signs. */
+  readonly formula: string;
+  readonly source: string;
+  readonly quantities: readonly Quantity[];
+  readonly columns: readonly Column[];
+  /** For how long it was measured [T]. */
+  readonly duration: number | null;
+  /** The initial part of this that means leave out [T]. */
+  readonly transient: number | null;
+  /** Whether means have settled; without, they have no errors. */
+  readonly transient_over: boolean;
+  /** Why they have not. */
+  readonly unsettled: string;
+  readonly logarithmic_in_argument: boolean;
+  readonly logarithmic_in_value: boolean;
+}
+
 /**
  * Spheres in motion.
  *
@@ -175,6 +221,18 @@ export interface Simulation {
   remove(id: number): Promise<void>;
   /** What each ray hits first, up to `most` [L]: three numbers for each origin [L] and direction. */
   rays(origins: ArrayLike<number>, directions: ArrayLike<number>, most?: number): Promise<(RayHit | null)[]>;
+  /** Whether runs measure from now on, and anew, what the scenario names in [measures]. They do not at first. */
+  keepMeasures(keep: boolean): Promise<void>;
+  /** What has been measured, also while a run goes on. Error: runs do not measure. */
+  measures(): Promise<Measurement[]>;
+  /** Records runs from now on, in memory. Spheres can then be neither added nor removed. */
+  beginRecording(): Promise<void>;
+  /** Ends the recording at the present time. */
+  endRecording(): Promise<void>;
+  /** The recording up to the last contact, or the whole of one that has ended: a file for `hardball view`. */
+  recording(): Promise<Uint8Array>;
+  /** Answers the page of the viewer, which asks for the recording through this port. The port moves to the worker. */
+  serveRecording(port: MessagePort): Promise<void>;
   /** The whole state, from which load() continues to the same history, in any language. */
   save(): Promise<Uint8Array>;
   /** Ends the worker and frees the memory. */

@@ -87,7 +87,8 @@ class Simulation {
 
   async run({ until, contacts, slice, signal, onProgress } = {}) {
     signal?.throwIfAborted();
-    const stop = () => this.engine.call('stop', []);
+    // A simulation that is closed has stopped.
+    const stop = () => this.engine.call('stop', []).catch(() => {});
     signal?.addEventListener('abort', stop);
     try {
       return await this.engine.call('run', [{ until, contacts, slice }], onProgress);
@@ -162,6 +163,30 @@ class Simulation {
 
   rays(origins, directions, most = Infinity) {
     return this.engine.call('rays', [origins, directions, most]);
+  }
+
+  keepMeasures(keep) {
+    return this.engine.call('keepMeasures', [keep]);
+  }
+
+  measures() {
+    return this.engine.call('measures', []);
+  }
+
+  beginRecording() {
+    return this.engine.call('beginRecording', []);
+  }
+
+  endRecording() {
+    return this.engine.call('endRecording', []);
+  }
+
+  recording() {
+    return this.engine.call('recording', []);
+  }
+
+  serveRecording(port) {
+    return this.engine.call('serveRecording', [port], undefined, [port]);
   }
 
   save() {

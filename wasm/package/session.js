@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 import { HardballError } from './error.js';
 import { kTypes, nativeOf } from './native.js';
+import { Recorded } from './recorded.js';
 
 // The enumerations of the C API, in its order.
 const kFields = ['id', 'position', 'velocity', 'radius', 'mass', 'spin', 'species'];
@@ -53,6 +54,8 @@ export class Session {
     this.kept = []; // contacts of slices, as bytes
     this.keptCount = 0;
     this.mostKept = 0;
+    this.recorded = null;
+    this.failure = null; // of the last run
   }
 
   static async open(text, { name = 'scenario.toml', values = {}, files = {}, engine = 'automatic', wasm } = {}) {
@@ -71,7 +74,7 @@ export class Session {
         native.check(module._hb_start_scenario(textAt, nameAt, list, overrides.length, options, out, until)),
       );
       const end = native.number(until);
-      return new Session(native, native.whole(out), Number.isFinite(end) ? end : null);
+      return new this(native, native.whole(out), Number.isFinite(end) ? end : null);
     });
   }
 
@@ -80,7 +83,7 @@ export class Session {
     return native.scoped((scope) => {
       const out = scope.bytes(4);
       native.check(native.module._hb_load(scope.copy(bytes), bytes.length, out));
-      return new Session(native, native.whole(out), null);
+      return new this(native, native.whole(out), null);
     });
   }
 
@@ -122,6 +125,7 @@ export class Session {
     }
     this.isRunning = true;
     this.isStopped = false;
+    this.failure = null;
     try {
       const end = this.#contactCount() + contacts;
       let steps = 256;
@@ -136,6 +140,9 @@ export class Session {
         await pause();
         if (this.isStopped) return this.status('stopped');
       }
+    } catch (error) {
+      this.failure = error.message;
+      throw error;
     } finally {
       this.isRunning = false;
     }
@@ -331,6 +338,86 @@ export class Session {
     );
   }
 
+  keepMeasures(keep) {
+    this.native.check(this.module._hb_keep_measures(this.address, keep ? 1 : 0));
+  }
+
+  measures() {
+    return this.native.scoped((scope) => {
+      const json = scope.bytes(4);
+      this.native.check(this.module._hb_get_measures(this.address, json, 0));
+      return JSON.parse(this.native.text(this.native.whole(json)));
+    });
+  }
+
+  beginRecording() {
+    const recorded = new Recorded(this.module, this.module._hb_size(this.address));
+    this.native.scoped((scope) => {
+      this.native.check(this.module._hb_begin_recording(this.address, scope.text(recorded.path)));
+    });
+    this.recorded?.remove();
+    this.recorded = recorded;
+    recorded.begin();
+  }
+
+  endRecording() {
+    this.native.check(this.module._hb_end_recording(this.address));
+    if (this.recorded) this.recorded.isComplete = true;
+  }
+
+  recording() {
+    return this.#completed().read();
+  }
+
+  serveRecording(port) {
+    const answers = {
+      header: () => {
+        const { header } = this.#completed();
+        return { header, spheres: this.recorded.spheres() };
+      },
+      status: ({ from }) => {
+        const recorded = this.#completed();
+        recorded.update();
+        const { time, spheres, collisions, wallContacts, hash } = this.status();
+        return {
+          ends: recorded.chunks.slice(from).map(({ end }) => end),
+          status: {
+            finished: recorded.isComplete,
+            failed: this.failure,
+            damaged: null,
+            reached: time,
+            collisions,
+            mergers: recorded.spheresAtBegin - spheres,
+            walls: wallContacts,
+            event_log_hash: hash,
+          },
+        };
+      },
+      chunk: ({ number }) => {
+        const { at, length } = this.recorded.chunks[number];
+        return { buffer: this.recorded.read(at, length).buffer };
+      },
+    };
+    port.onmessage = ({ data: { id, what, ...parts } }) => {
+      try {
+        const answer = answers[what](parts);
+        const moved = [answer.buffer, answer.spheres?.buffer].filter(Boolean);
+        port.postMessage({ id, ...answer }, moved);
+      } catch (error) {
+        port.postMessage({ id, error: error.message });
+      }
+    };
+  }
+
+  // The recording, complete up to the last contact.
+  #completed() {
+    if (!this.recorded) {
+      throw new HardballError({ problem: 'there is no recording', where: 'recording', remedy: 'call beginRecording before' });
+    }
+    if (!this.recorded.isComplete) this.native.check(this.module._hb_flush_recording(this.address, 0));
+    return this.recorded;
+  }
+
   save() {
     return this.native.scoped((scope) => {
       const [bytes, count] = [scope.bytes(4), scope.bytes(4)];
@@ -344,5 +431,6 @@ export class Session {
     this.stop();
     this.module._hb_free(this.address);
     this.address = 0;
+    this.recorded?.remove();
   }
 }

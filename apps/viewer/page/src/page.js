@@ -2,15 +2,23 @@
 // SPDX-License-Identifier: MIT
 import { createApi } from './api.js';
 import { listenToKeys } from './panel/keyboard.js';
+import { PortSource, portOfParent } from './recording/port_source.js';
 import { SavedSource } from './recording/saved_source.js';
 import { ServerSource } from './recording/server_source.js';
 import { Viewer } from './viewer.js';
 
 const query = new URLSearchParams(location.search);
 
-async function open() {
+// The recording: in this page, from the page around this one, or from the program.
+async function sourceOf() {
   const saved = document.getElementById('recording');
-  const source = saved ? new SavedSource(saved) : new ServerSource(query.get('token') ?? '');
+  if (saved) return new SavedSource(saved);
+  if (query.get('source') === 'port') return new PortSource(await portOfParent());
+  return new ServerSource(query.get('token') ?? '');
+}
+
+async function open() {
+  const source = await sourceOf();
   await source.open();
   const { name } = source.header;
   document.getElementById('name').textContent = name;
