@@ -76,7 +76,7 @@ if(TARGET hardball_python)
   set(python_folder ${HARDBALL_PYTHON_INSTALL_FOLDER}/hardball)
   file(GLOB modules CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/hardball/*.py)
   install(TARGETS hardball_python LIBRARY DESTINATION ${python_folder} COMPONENT python EXCLUDE_FROM_ALL)
-  install(FILES ${modules} ${PROJECT_SOURCE_DIR}/python/hardball/py.typed ${HARDBALL_PYTHON_FOLDER}/hardball/_hardball.pyi
+  install(FILES ${modules} ${PROJECT_SOURCE_DIR}/python/hardball/live_view.js ${PROJECT_SOURCE_DIR}/python/hardball/py.typed ${HARDBALL_PYTHON_FOLDER}/hardball/_hardball.pyi
           DESTINATION ${python_folder} COMPONENT python EXCLUDE_FROM_ALL)
   install(FILES ${scenarios} DESTINATION ${python_folder}/scenario_files COMPONENT python EXCLUDE_FROM_ALL)
 endif()

@@ -20,6 +20,7 @@ from pathlib import Path
 
 LIBRARIES = re.compile(r"lib(c|m|pthread|dl|rt)\.so\.\d|ld-linux-.*\.so\.\d")
 PARTS = ["hardball/_hardball.*.so", "hardball/_hardball.pyi", "hardball/__main__.py", "hardball/py.typed"]
+PARTS += ["hardball/live_view.js"]
 PARTS += ["hardball/scenario_files/paper.toml", "hardball/scenario_files/scenario.schema.json"]
 PARTS += ["hardball-*.data/scripts/hardball", "hardball-*.dist-info/LICENSE"]
 

@@ -263,6 +263,10 @@ void RunFiles::keep_current() {
   for (auto& [name, trajectory] : trajectories_) trajectory.flush();
 }
 
+void RunFiles::flush_recording() {
+  if (recording_) recording_->flush();
+}
+
 void RunFiles::finish(double time, std::span<const Measurement> measurements,
                       std::span<const FaceForces> forces, const std::string& summary,
                       const std::string& report) {

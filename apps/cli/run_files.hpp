@@ -92,6 +92,8 @@ class RunFiles {
   /// Makes the event log and the trajectories complete for readers, at most once a second, so that little is
   /// lost if the process is killed. Error (RunFailure): it cannot be written.
   void keep_current();
+  /// Makes the recording, if there is one, complete for readers. Error (RunFailure): it cannot be written.
+  void flush_recording();
   /// Completes all files at the end, at this time [T], and writes the measures, the forces on the triangles
   /// of meshes, the summary, and the report unless it is empty. Error (RunFailure): they cannot be written.
   void finish(double time, std::span<const Measurement> measurements, std::span<const FaceForces> forces,

@@ -63,6 +63,7 @@ void bind_output(SimulationClass& simulation) {
           py::arg("path"), py::arg("append"))
       .def("_begin_output", &PythonSimulation::begin_output, py::arg("overrides"), py::arg("overwrite"))
       .def("_end_output", &PythonSimulation::end_output, py::arg("is_complete"))
+      .def("_flush_recording", &PythonSimulation::flush_recording)
       .def_property_readonly("_output_directory", &PythonSimulation::output_directory)
       .def("_report", [](const PythonSimulation& self) { return py::bytes(self.end().report); })
       .def("_summary", [](const PythonSimulation& self) { return self.end().summary; })

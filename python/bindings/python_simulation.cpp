@@ -531,6 +531,11 @@ void PythonSimulation::end_output(bool is_complete) {
   output->finish(simulation_, measures_, is_complete);
 }
 
+void PythonSimulation::flush_recording() {
+  check_idle("live");
+  if (output_) output_->flush_recording();
+}
+
 std::optional<std::filesystem::path> PythonSimulation::output_directory() const {
   simulation();
   return output_ ? std::optional(output_->directory()) : std::nullopt;

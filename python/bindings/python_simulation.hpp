@@ -127,6 +127,9 @@ class PythonSimulation {
   /// Completes the files, and writes the results; does nothing if no files are being written. Error
   /// (RunFailure): that is impossible.
   void end_output(bool is_complete);
+  /// Makes the recording that is being written complete up to now. Error: it is running; RunFailure: that is
+  /// impossible.
+  void flush_recording();
   /// The directory of the files that are being written; nothing without.
   std::optional<std::filesystem::path> output_directory() const;
   /// See end_of.

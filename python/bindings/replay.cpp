@@ -28,6 +28,12 @@ py::bytes page_of(const std::filesystem::path& path) {
   return page;
 }
 
+// The page that gets its recording from the page around it: its own is empty.
+py::bytes viewer_page() {
+  const viewer::OnePiece page(viewer::built_page());
+  return page.head + page.tail;
+}
+
 // How the simulation continues; the recording is made in the file `path`.
 py::bytes replay_of(const PythonSimulation& self, const std::filesystem::path& path, double until,
                     std::optional<std::uint64_t> contacts) {
@@ -40,7 +46,8 @@ py::bytes replay_of(const PythonSimulation& self, const std::filesystem::path& p
 
 void bind_replay(SimulationClass& simulation) {
   simulation.def("_replay", &replay_of, py::arg("path"), py::arg("until"), py::arg("contacts"))
-      .def_static("_page_of", &page_of, py::arg("recording"));
+      .def_static("_page_of", &page_of, py::arg("recording"))
+      .def_static("_viewer_page", &viewer_page);
 }
 
 }  // namespace hardball::python

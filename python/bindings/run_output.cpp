@@ -155,6 +155,10 @@ void RunOutput::keep_current() {
   write([&] { files_->keep_current(); });
 }
 
+void RunOutput::flush_recording() {
+  files_->flush_recording();
+}
+
 void RunOutput::write_due(const Simulation& simulation, const Measures& measures, double time, double until) {
   while (schedule_.snapshot_time(until) <= time) {
     write_snapshot(simulation, schedule_.snapshot_time(until));

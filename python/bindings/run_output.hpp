@@ -66,6 +66,8 @@ class RunOutput {
   const cli::OutputSchedule& schedule() const { return schedule_; }
   /// Makes files complete for readers, at most once a second.
   void keep_current();
+  /// Makes the recording, if there is one, complete up to now. Error (RunFailure): it cannot be written.
+  void flush_recording();
   /// Whether a file could not be written in the midst of a run.
   bool has_failed() const { return !failure_.empty(); }
   /// Error (RunFailure): a file could not be written.

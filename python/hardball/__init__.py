@@ -61,6 +61,7 @@ from ._hardball import (
 from ._calls import ArgumentError, explain_calls, explained
 from ._commands import Check, Tuning, Verification, VerifiedRun, check, convert, info, tune, verify
 from ._frames import Frame, Recording, Trajectory, read
+from ._live import LiveView
 from ._output import Output
 from ._packing import Packing, PackingFailed, pack
 from ._plots import plot
@@ -86,6 +87,7 @@ __all__ = [
     "Frame",
     "Heating",
     "JointTrajectory",
+    "LiveView",
     "Measurement",
     "Merging",
     "Mesh",

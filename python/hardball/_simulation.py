@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import os
+from contextlib import nullcontext
 from copy import deepcopy
 from math import inf
 from pathlib import Path
@@ -28,8 +29,10 @@ from ._arguments import (
     whole_number,
 )
 from ._frames import Frame, frame_of
+from ._live import LiveView, live_view_of
 from ._notebook import html_of
 from ._output import Output
+from ._progress import shown_progress
 from ._scenario import changes_of, scenario_text
 from ._view import View, is_notebook, view_of
 
@@ -43,6 +46,7 @@ Self = TypeVar("Self", bound="Simulation")
 
 class Simulation(_hardball.Simulation):
     __doc__ = _hardball.Simulation.__doc__
+    _live: LiveView | None = None  # which follows its runs
 
     def __init__(
         self,
@@ -344,15 +348,13 @@ class Simulation(_hardball.Simulation):
             collisions = whole_number(collisions, "collisions")
         if contacts is not None:
             contacts = whole_number(contacts, "contacts")
-        done: int | NDArray[np.void]
-        if not progress or self.processes.rank > 0:
-            done = self._run(until, collisions, contacts, record, None)
-            return done
-        from ._progress import shown_progress
-
         end = self.until if until is None and collisions is None and contacts is None else until
-        with shown_progress(self.time, end) as on_progress:
-            done = self._run(until, collisions, contacts, record, on_progress)
+        with shown_progress(self.time, end) if progress and self.processes.rank == 0 else nullcontext() as bar:
+            live = self._live
+            done: int | NDArray[np.void]
+            done = self._run(until, collisions, contacts, record, bar if live is None else live._following(bar))
+        if live is not None:
+            live._complete()
         return done
 
     def events(self, until: float | None = None) -> Iterator[_hardball.Contact]:
@@ -489,6 +491,22 @@ class Simulation(_hardball.Simulation):
         if not is_notebook():
             page.open()
         return page
+
+    def live(self) -> LiveView:
+        """Shows further runs in a notebook while they go on, as pictures that can be turned, paused and wound back.
+
+        Twice a second the page gets what has been recorded since. Until the view is closed, runs are recorded: in the
+        files of `output`, if these have a recording, or else in a temporary folder. Spheres cannot be added or removed
+        meanwhile. Error: files are being written without a recording; ImportError: anywidget is missing, which
+        `pip install hardball[live]` installs: `view` does without.
+        """
+        if self._live is None:
+            self._follow(live_view_of(self))
+        assert self._live is not None
+        return self._live
+
+    def _follow(self, view: LiveView | None) -> None:
+        self.__dict__["_live"] = view
 
     def __repr__(self) -> str:
         return (

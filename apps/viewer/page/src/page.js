@@ -9,11 +9,12 @@ import { Viewer } from './viewer.js';
 
 const query = new URLSearchParams(location.search);
 
-// The recording: in this page, from the page around this one, or from the program.
+// The recording: in this page, from the page around this one, or from the program. A page that has room for one, and none
+// there, has it from around it, too.
 async function sourceOf() {
   const saved = document.getElementById('recording');
-  if (saved) return new SavedSource(saved);
-  if (query.get('source') === 'port') return new PortSource(await portOfParent());
+  if (saved?.textContent) return new SavedSource(saved);
+  if (saved || query.get('source') === 'port') return new PortSource(await portOfParent());
   return new ServerSource(query.get('token') ?? '');
 }
 
