@@ -119,6 +119,18 @@ def write_notebook(path, folder, is_run):
         (folder / name).write_bytes(content)
 
 
+def complete_theme(static):
+    """What Debian leaves out of its theme: a style that it expects at the root of a web server, and the bundling of scripts."""
+    style = static / "styles" / "furo.css"
+    if NORMALIZE in style.read_text():
+        shutil.copy(Path("/usr/share") / NORMALIZE[1:], style.parent)
+        style.write_text(style.read_text().replace(NORMALIZE, Path(NORMALIZE).name))
+    script = static / "scripts" / "furo.js"
+    imported = 'import Gumshoe from "./gumshoe-patched.js";'
+    if imported in script.read_text():
+        script.write_text(script.read_text().replace(imported, (script.parent / "gumshoe-patched.js").read_text()))
+
+
 def main():
     parser = argparse.ArgumentParser(description="Builds the documentation site.")
     parser.add_argument("folder", type=Path)
@@ -176,11 +188,7 @@ def main():
         sys.exit(f"{reference}: lacks {', '.join(missing)}, which users of Simulation meet")
     command = [sys.executable, "-m", "sphinx", "-q", "-E", "-W", "--keep-going", "-b", "html", source, folder / "html"]
     subprocess.run(command, check=True, env={**os.environ, "LC_ALL": "C.UTF-8"})
-    # Debian's theme expects this at the root of a web server.
-    theme = folder / "html" / "_static" / "styles" / "furo.css"
-    if NORMALIZE in theme.read_text():
-        shutil.copy(Path("/usr/share") / NORMALIZE[1:], theme.parent)
-        theme.write_text(theme.read_text().replace(NORMALIZE, Path(NORMALIZE).name))
+    complete_theme(folder / "html" / "_static")
     if faults := faults_of_site(folder / "html"):
         sys.exit("\n".join(faults))
     print(f"the site begins at {folder / 'html' / 'index.html'}")
