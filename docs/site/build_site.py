@@ -41,7 +41,7 @@ def write_page(page, target):
 def comparison():
     """The section of README.md that compares the project with others, with links as the site has them."""
     section = re.search(r"^## Compared with others\n+(.*?)^## ", (ROOT / "README.md").read_text(), re.DOTALL | re.MULTILINE)
-    return section[1].replace("](docs/", "](")
+    return section[1].replace("[docs/", "[").replace("](docs/", "](")
 
 
 def write_front_page(source, has_playground):
@@ -65,7 +65,8 @@ def write_lessons(folder, has_playground):
         if has_playground:
             run = f'<a href="../playground/index.html#lesson={page.stem}">Open it in the playground</a>, or run it with `hardball view {name}`.'
         heading, text = re.sub(r"<!--.*?-->\n*", "", text, flags=re.DOTALL).strip().split("\n", 1)
-        parts = [heading, run, text.strip(), "## The scenario", f"```toml\n{scenario.read_text().rstrip()}\n```"]
+        listing = [f"<details><summary>{name}</summary>", f"```toml\n{scenario.read_text().rstrip()}\n```", "</details>"]
+        parts = [heading, run, text.strip(), "## The scenario", *listing]
         (folder / page.name).write_text("\n\n".join(parts) + "\n")
         lessons.append((int(lesson["order"]), page.stem, lesson))
     lessons.sort(key=lambda each: each[0])
