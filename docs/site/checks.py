@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Checks of the documentation site: that it needs no network, that its formulas are formulas, and that the C++
-reference is complete."""
+"""Checks of the documentation site: that it needs no network, that its links lead somewhere, that its formulas are
+formulas, and that the C++ reference is complete."""
 
 import re
+import urllib.parse
 import xml.etree.ElementTree
 from html.parser import HTMLParser
 
 NETWORK = re.compile(r"(?:[a-z]+:)?//", re.IGNORECASE)
+SCHEME = re.compile(r"(?:[a-z][a-z0-9+.-]*:|//)", re.IGNORECASE)
 STYLE_REQUEST = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?!url\()([^"')\s]+)""")
 FORMULA = re.compile(r'<annotation encoding="application/x-tex">(.*?)</annotation>', re.DOTALL)
 TEXT_IN_FORMULA = re.compile(r"\\(?:text|mathrm|textrm|operatorname)\{[^}]*\}")
@@ -16,11 +18,12 @@ REFERENCE_ENTRY = re.compile(r"^\.\. doxygen(?:class|struct|enum|typedef):: (\S+
 
 
 class Requests(HTMLParser):
-    """What a browser fetches to show a page; links that its reader may follow are not among it."""
+    """What a browser fetches to show a page, and, apart from that, the links that its reader may follow."""
 
     def __init__(self, text):
         super().__init__()
         self.addresses = []
+        self.links = []
         self.in_style = False
         self.feed(text)
 
@@ -28,6 +31,8 @@ class Requests(HTMLParser):
         attributes = dict(attributes)
         for name in ("src", "data", "poster"):
             self.addresses.append(attributes.get(name))
+        if tag == "a" and attributes.get("href"):
+            self.links.append(attributes["href"])
         if tag == "link" and attributes.get("rel") not in ("canonical", "next", "prev"):
             self.addresses.append(attributes.get("href"))
         self.addresses += [each.split()[0] for each in (attributes.get("srcset") or "").split(",") if each.strip()]
@@ -41,14 +46,20 @@ class Requests(HTMLParser):
 
 def faults_of_site(folder):
     """What is wrong with the built pages in `folder`, as a list of texts: addresses that are fetched from the network
-    or are not there, and prose between formulas that is set as a formula, as where a dollar sign is missing."""
+    or are not there, links within the site that lead nowhere, and prose between formulas that is set as a formula, as where a
+    dollar sign is missing."""
     faults = []
     for page in sorted([*folder.rglob("*.html"), *folder.rglob("*.css")]):
         text = page.read_text(encoding="utf-8")
         for formula in FORMULA.findall(text):
             if prose := PROSE.search(TEXT_IN_FORMULA.sub("", formula)):
                 faults.append(f"{page.relative_to(folder)} sets prose as a formula: {prose[0]}")
-        addresses = STYLE_REQUEST.findall(text) if page.suffix == ".css" else Requests(text).addresses
+        requests = Requests(text if page.suffix == ".html" else "")
+        addresses = requests.addresses if page.suffix == ".html" else STYLE_REQUEST.findall(text)
+        for link in sorted(set(requests.links)):
+            path = urllib.parse.unquote(re.split(r"[?#]", link)[0])
+            if not SCHEME.match(link) and path and not (page.parent / path).exists():
+                faults.append(f"{page.relative_to(folder)} leads to {link}, which is not there")
         for address in sorted({address for address in addresses if address}):
             if address.startswith(("data:", "#")):
                 continue

@@ -21,6 +21,9 @@ myst_heading_anchors = 4
 html_theme = "furo"
 html_title = "Hardball"
 html_static_path = ["_static"]
+# Pages that are complete as they are: replays, and the playground.
+html_extra_path = ["extra"]
+exclude_patterns = ["extra"]
 html_css_files = ["katex/katex.min.css", "site.css"]
 html_math_renderer = "katex"
 breathe_projects = {"hardball": "doxygen/xml"}

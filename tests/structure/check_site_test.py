@@ -75,6 +75,11 @@ class Site(unittest.TestCase):
         faults = self.faults('<script src="lost.js"></script>')
         self.assertEqual(faults, ["page.html needs lost.js, which is not there"])
 
+    def test_links_within_the_site_lead_somewhere(self):
+        (self.folder / "two words.html").write_text("")
+        body = '<a href="two%20words.html#top">a</a> <a href="#here">b</a> <a href="mailto:a@b.c">c</a> <a>d</a>'
+        self.assertEqual(self.faults("", body), [])
+        self.assertEqual(self.faults("", '<a href="lost.html#top">a</a>'), ["page.html leads to lost.html#top, which is not there"])
 
     def test_prose_that_is_set_as_a_formula_is_found(self):
         def formula(text):
