@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <string_view>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
@@ -22,8 +23,16 @@ std::string json(bool is_so) {
 }
 
 std::string json(const std::string& text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
   std::string quoted = "\"";
   for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (code < 0x20) {
+      quoted += "\\u00";
+      quoted += kDigits[code / 16];
+      quoted += kDigits[code % 16];
+      continue;
+    }
     if (letter == '"' || letter == '\\') quoted += '\\';
     quoted += letter;
   }

@@ -15,7 +15,8 @@ using nlohmann::json;
 
 TEST(MeasurementsJson, IsReadByAParser) {
   const double third = 1.0 / 3;
-  Measurement found{.name = "things", .title = "\"Things\"", .formula = "$\\frac{1}{3}$", .source = "here"};
+  Measurement found{
+      .name = "things", .title = "\"Things\"\n\x1f", .formula = "$\\frac{1}{3}$", .source = "here"};
   found.quantities = {{"size", "L", third, 0.5, std::nan(""), kForComparison, "why"}};
   found.columns = {{"radius", "L", ColumnRole::argument, {1, 2}},
                    {"count", "1", ColumnRole::value, {third, -std::nan("")}},
