@@ -11,6 +11,7 @@ import { Player } from './motion/player.js';
 import { partnerName, readSurfaces } from './motion/surfaces.js';
 import { ChunkStore } from './recording/chunk_store.js';
 import { kPathNumbers } from './recording/chunk.js';
+import { Link } from './link.js';
 import { ColorLegend, showEventLegend, showForceLegend, showSurfaceLegend } from './panel/legend.js';
 import { show, showCount } from './panel/numbers.js';
 import { Help } from './panel/help.js';
@@ -116,11 +117,15 @@ export class Viewer {
     this.help = new Help(this);
     this.quality = new Quality(window.devicePixelRatio, (way) => this.draw(way));
 
+    this.link = new Link(this);
+
     /** The id of the followed sphere, or null. */
     this.followed = null;
     this.next = undefined;
     this.scales = null;
     this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;
+    /** The edge of cells that was chosen [L], or null. */
+    this.cellEdge = null;
     this.isLost = false;
     this.isDark = matchMedia('(prefers-color-scheme: dark)');
     this.last = { frame: 0, panels: -Infinity, plots: -Infinity, time: NaN };
@@ -220,7 +225,32 @@ export class Viewer {
   /** Shows everything as at the start. */
   resetView() {
     this.fit();
-    if (this.playback.chunk) this.view.fit(this.surroundings.measure(this.playback), kFirstDirection);
+    if (this.playback.chunk) this.resetCamera(this.surroundings.measure(this.playback));
+  }
+
+  /** Moves the camera to where it sees an extent, two corners [L], from the first direction. */
+  resetCamera(extent) {
+    this.surroundings.extent = extent;
+    this.view.fit(extent, kFirstDirection);
+  }
+
+  /** Lets what surrounds the spheres reach over an extent, two corners [L]. */
+  span(extent) {
+    this.surroundings.extent = extent;
+    this.view.span(extent);
+  }
+
+  /** The next picture follows from what it shows alone, and not from what was shown before. */
+  settle() {
+    this.spheres.forget();
+    this.trailKey = null;
+    this.cellsGathered = null;
+    this.view.isStale = true;
+  }
+
+  /** What the spheres can be colored by. */
+  get colorings() {
+    return [...element('color-by').options].map(({ value }) => value);
   }
 
   /** Colors the spheres by one of kColorBy. */
@@ -308,6 +338,7 @@ export class Viewer {
     if (this.player.isPlaying && hasMoved) this.quality.note(seconds);
     else this.quality.restart();
     this.updateNumbers(now / 1000);
+    this.link.update(now / 1000);
   }
 
   // The first frame: what depends on typical scales.
@@ -326,6 +357,7 @@ export class Viewer {
     element('color-by').replaceChildren(...kColorBy.filter((name) => this.offersColoring(name)).map(optionOf));
     this.setColorBy(this.firstColoring());
     this.plots.resize();
+    this.link.begin();
   }
 
   drawMoment() {
@@ -451,8 +483,7 @@ export class Viewer {
   noteDomains() {
     this.domains.update(this.source.status.divisions);
     this.windowsPanel.update(this.source.status.windows, this.domains.areSeveral);
-    const isOffered = [...element('color-by').options].some(({ value }) => value === 'domain');
-    if (this.domains.areSeveral && !isOffered) element('color-by').append(optionOf('domain'));
+    if (this.domains.areSeveral && !this.colorings.includes('domain')) element('color-by').append(optionOf('domain'));
   }
 
   // Few spheres spin faster [1/T].
@@ -492,7 +523,7 @@ export class Viewer {
     if (seconds - this.last.panels > kSecondsBetweenPanels) {
       this.last.panels = seconds;
       this.spherePanel.update();
-      if (this.surroundings.widen(this.playback)) this.view.isStale = true;
+      if (this.surroundings.widen(this.playback)) this.view.span(this.surroundings.extent);
       showRunStatus(this.source, this.spheresAtStart, this.isLost);
       this.showEvents();
       this.noteDomains();
@@ -570,6 +601,7 @@ export class Viewer {
 
   setCellEdge(edge) {
     const { header } = this.source;
+    this.cellEdge = edge > 0 ? edge : null;
     if (edge > 0) this.cells = Cells.fitting(Math.max(edge, this.largestRadius / 100), this.box);
     else
       this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;

@@ -47,8 +47,10 @@ export class Plots {
     document.getElementById('figure-speeds').hidden = this.histogram === null;
     /** Hardly any sphere is faster [L/T]. */
     this.fastest = 0;
-    /** Few spheres are faster [L/T]. */
+    /** Few spheres are faster [L/T]; changes only by much. */
     this.fast = 0;
+    /** The same, of the time shown last alone. */
+    this.fastNow = 0;
   }
 
   get all() {
@@ -74,12 +76,20 @@ export class Plots {
     if (count === 0) return true;
     const speeds = this.speeds.subarray(0, count);
     this.fastest = steady(this.fastest, 1.15 * quantile(speeds, 0.99));
-    this.fast = steady(this.fast, quantile(speeds, 0.94));
+    const few = quantile(speeds, 0.94);
+    this.fastNow = steady(0, few);
+    this.fast = steady(this.fast, few);
     // Spheres change only where their number does: they merge.
     if (this.kinds === null || present !== this.present) this.kinds = findKinds(radii, masses).list;
     this.present = present;
     if (this.histogram) this.drawSpeeds(speeds, energy);
     return true;
+  }
+
+  /** Begins anew with this scale of speeds [L/T]; with that of the time shown if it is zero. */
+  restart(fast) {
+    this.fast = fast;
+    this.time = NaN;
   }
 
   /** Moves the mark of the present to `time`. */

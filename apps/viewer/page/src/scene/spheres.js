@@ -116,6 +116,11 @@ export class Spheres {
     this.uniforms.slid.value.set(this.box.fold(this.box.displacement(time), 0), this.box.imageSpeed);
   }
 
+  /** Places follow from the next moment alone, as on a page that has shown no other. */
+  forget() {
+    this.reference = NaN;
+  }
+
   // Makes the time of `playback` the reference. It holds until spheres have crossed the space they occupy a few
   // times, so that single precision suffices.
   refer(playback) {

@@ -78,9 +78,7 @@ export class View {
    */
   fit([low, high], begin = null) {
     const from = this.isFlat ? [0, 0, 1] : begin;
-    this.frame.span(low, high);
-    const size = new Vector3(...high.map((end, axis) => end - low[axis]));
-    this.extent = size.length();
+    const size = this.span([low, high]);
     const center = new Vector3(...low).addScaledVector(size, 0.5);
     const direction = from ? new Vector3(...from) : this.camera.position.clone().sub(this.controls.target);
     if (from)
@@ -95,10 +93,18 @@ export class View {
       this.controls.target.add(new Vector3(aside, above, 0).applyQuaternion(this.camera.quaternion));
       this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
     }
+    this.moved();
+  }
+
+  /** Lets frame, haze and depth reach over an extent, two corners [L]; returns its size. */
+  span([low, high]) {
+    this.frame.span(low, high);
+    const size = new Vector3(...high.map((end, axis) => end - low[axis]));
+    this.extent = size.length();
     this.controls.minDistance = 1e-4 * this.extent;
     this.controls.maxDistance = 20 * this.extent;
-    this.controls.update();
     this.isStale = true;
+    return size;
   }
 
   // The distance from its target at which the camera, in its present direction, sees all corners of a box; and by
@@ -129,6 +135,18 @@ export class View {
     this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
     this.controls.update();
     this.isStale = true;
+  }
+
+  /** Where the camera is, and what it is directed at: three numbers of each [L]. */
+  get pose() {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  /** Moves the camera to a `pose`. */
+  place(pose) {
+    this.camera.position.set(...pose.slice(0, 3));
+    this.controls.target.set(...pose.slice(3));
+    this.moved();
   }
 
   /** Moves the camera so that it is directed at `center` [L]. */
