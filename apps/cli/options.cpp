@@ -163,6 +163,24 @@ void declare(Arguments arguments, ReplayOptions& options) {
   arguments.add_flag("--overwrite", options.overwrite, "Replace an existing file");
 }
 
+void declare(Arguments arguments, FilmOptions& options) {
+  arguments.add("OUT", options.out, "TEXT", "The film: a file .webm or .mp4");
+  declare(arguments, options.run);
+  arguments.add("--from", options.from, "TIME", "Time of the first frame, the start of the run if not given");
+  arguments.add("--to", options.to, "TIME", "Time of the last frame, the end of the run if not given");
+  arguments.add("--speed", options.speed, "TIME",
+                "Simulated time in a second of the film, as in the viewer if not given");
+  arguments.add("--fps", options.fps, "NUMBER", "Frames in a second, 30 if not given");
+  arguments.add("--size", options.size, "WIDTHxHEIGHT", "Pixels, 1280x720 if not given");
+  arguments.add("--spin", options.spin, "DEGREES", "Turn the camera by this angle during the film");
+  arguments.add("--view", options.view, "LINK",
+                "What the viewer is to show: a link copied from it, or what is after its #");
+  arguments.add("--quality", options.quality, "full|points",
+                "Shaded spheres, or points, which are drawn faster");
+  arguments.add("--frames", options.frames, "DIRECTORY", "Write each frame as a picture (PNG), too");
+  arguments.add_flag("--overwrite", options.overwrite, "Replace an existing file");
+}
+
 void declare(Arguments arguments, SweepOptions& options) {
   arguments.add("STUDY", options.study, "TEXT", "Study file (TOML)");
   arguments.add("--out", options.out, "DIRECTORY",

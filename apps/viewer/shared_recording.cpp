@@ -104,6 +104,11 @@ std::uint64_t SharedRecording::length() const {
   return reader_.length();
 }
 
+double SharedRecording::reached() const {
+  const std::lock_guard lock(mutex_);
+  return reader_.reached();
+}
+
 std::string SharedRecording::read(const FileExtent& extent) const {
   std::string bytes(extent.length, '\0');
   for (std::size_t done = 0; done < bytes.size();) {

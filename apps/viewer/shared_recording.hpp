@@ -68,6 +68,9 @@ class SharedRecording {
   /// Length of the recording up to its last complete chunk.
   std::uint64_t length() const;
 
+  /// Up to where it is known [T].
+  double reached() const;
+
   /// Bytes of the file. Error (RunFailure): they cannot be read.
   std::string read(const FileExtent& extent) const;
 

@@ -133,15 +133,15 @@ export class Link {
     });
   }
 
-  /** The state at the start is known, so that others can be shown and written. */
-  begin() {
+  /** The state at the start is known, so that others can be shown and written; shows that of the address. */
+  async begin() {
     const { viewer } = this;
     for (const [name, item] of Object.entries(kItems)) this.starts[name] = item.write(viewer);
     this.extent = viewer.surroundings.extent;
     this.size = this.sizeNow;
     const begins = this.hasAddress ? location.hash.slice(1) : '';
     if (begins === '') this.due = -Infinity;
-    else this.show(begins);
+    else await this.show(begins);
   }
 
   /** Shows the state of a link. */

@@ -15,6 +15,7 @@ import { Link } from './link.js';
 import { ColorLegend, showEventLegend, showForceLegend, showSurfaceLegend } from './panel/legend.js';
 import { show, showCount } from './panel/numbers.js';
 import { Help } from './panel/help.js';
+import { Shooting } from './panel/shooting.js';
 import { Notices } from './panel/notices.js';
 import { Plots } from './panel/plots.js';
 import { showRunStatus } from './panel/run_status.js';
@@ -115,6 +116,7 @@ export class Viewer {
     this.windowsPanel = new WindowsPanel();
     this.scaleBar = new ScaleBar();
     this.help = new Help(this);
+    this.shooting = new Shooting(this);
     this.quality = new Quality(window.devicePixelRatio, (way) => this.draw(way));
 
     this.link = new Link(this);
@@ -127,6 +129,9 @@ export class Viewer {
     /** The edge of cells that was chosen [L], or null. */
     this.cellEdge = null;
     this.isLost = false;
+    /** Whether pictures are drawn for others than the page. */
+    this.isShooting = false;
+    this.begun = new Promise((resolve) => (this.tellBegun = resolve));
     this.isDark = matchMedia('(prefers-color-scheme: dark)');
     this.last = { frame: 0, panels: -Infinity, plots: -Infinity, time: NaN };
     this.listen();
@@ -228,10 +233,13 @@ export class Viewer {
     if (this.playback.chunk) this.resetCamera(this.surroundings.measure(this.playback));
   }
 
-  /** Moves the camera to where it sees an extent, two corners [L], from the first direction. */
-  resetCamera(extent) {
+  /**
+   * Moves the camera to where it sees an extent, two corners [L], from the first direction; if `isTurned`, from all to which it
+   * can turn aside.
+   */
+  resetCamera(extent, isTurned = false) {
     this.surroundings.extent = extent;
-    this.view.fit(extent, kFirstDirection);
+    this.view.fit(extent, kFirstDirection, isTurned);
   }
 
   /** Lets what surrounds the spheres reach over an extent, two corners [L]. */
@@ -319,6 +327,7 @@ export class Viewer {
 
   frame(now) {
     requestAnimationFrame((next) => this.frame(next));
+    if (this.isShooting) return;
     const seconds = (now - this.last.frame) / 1000;
     this.last.frame = now;
     this.player.advance(seconds);
@@ -357,7 +366,38 @@ export class Viewer {
     element('color-by').replaceChildren(...kColorBy.filter((name) => this.offersColoring(name)).map(optionOf));
     this.setColorBy(this.firstColoring());
     this.plots.resize();
-    this.link.begin();
+    this.link.begin().then(this.tellBegun);
+  }
+
+  /**
+   * Draws the moments of `plan`, in pictures of `size` {width, height}, and calls `take(number)` for each, which must read the
+   * picture before it waits for anything; false ends it. Then the page shows what it has shown before. Error: a picture is too
+   * large, or a chunk cannot be loaded.
+   */
+  async shoot(plan, size, take) {
+    const { player, view } = this;
+    const [pose, time, wasPlaying] = [view.pose, player.time, player.isPlaying];
+    player.pause();
+    this.isShooting = true;
+    try {
+      view.takeSize(size);
+      for (let number = 0; number < plan.count; ++number) {
+        await player.showAt(plan.timeOf(number));
+        if (plan.turn !== 0) view.place(pose);
+        if (plan.turn !== 0) view.turn(plan.angleOf(number), 0);
+        if (this.plots.update(this.playback)) this.updateColors();
+        this.spheres.forget();
+        this.drawMoment();
+        if ((await take(number)) === false) break;
+      }
+    } finally {
+      view.takeSize(null);
+      view.place(pose);
+      await player.showAt(time);
+      if (wasPlaying) player.play();
+      this.isShooting = false;
+      this.last.frame = performance.now();
+    }
   }
 
   drawMoment() {
@@ -640,7 +680,6 @@ export class Viewer {
     const canvas = element('canvas');
     element('color-by').addEventListener('change', (event) => this.setColorBy(event.target.value));
     element('fit').addEventListener('click', () => this.fit());
-    element('screenshot').addEventListener('click', () => this.savePicture());
     element('show-cells').addEventListener('change', (event) => this.showCells(event.target.checked));
     element('cell-edge').addEventListener('change', (event) => this.setCellEdge(Number(event.target.value)));
     element('slow').addEventListener('click', () => this.slowDown());
@@ -700,14 +739,4 @@ export class Viewer {
     if (id >= 0) this.follow(id);
   }
 
-  savePicture() {
-    this.drawMoment();
-    element('canvas').toBlob((blob) => {
-      const link = document.createElement('a');
-      link.href = URL.createObjectURL(blob);
-      link.download = `hardball_${this.playback.time.toPrecision(6)}.png`;
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-    });
-  }
 }

@@ -54,6 +54,16 @@ export class Player {
     return new Promise((resolve) => this.waiting.push(resolve));
   }
 
+  /** Shows `time` [T], or the nearest known time, without waiting for the next frame of the page. Error: its chunk cannot be loaded. */
+  async showAt(time) {
+    const wanted = Math.min(Math.max(time, this.source.header.begin), this.knownEnd);
+    const number = this.store.numberAt(wanted);
+    this.store.focus(number);
+    await this.store.load(number);
+    this.wanted = wanted;
+    this.show();
+  }
+
   /** Advances by `seconds` of real time, as far as the recording is in memory. */
   advance(seconds) {
     if (this.wanted === null && this.isPlaying) {

@@ -92,7 +92,7 @@ export function listenToKeys(viewer) {
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (!actions[key] || isUsed(event)) return;
     // Esc closes the help, as the browser sees to.
-    if (viewer.help.isOpen && key !== '?') return;
+    if (viewer.shooting.isOpen || (viewer.help.isOpen && key !== '?')) return;
     event.preventDefault();
     actions[key](event);
   });
