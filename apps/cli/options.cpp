@@ -160,6 +160,10 @@ void declare(Arguments arguments, ViewOptions& options) {
 void declare(Arguments arguments, ReplayOptions& options) {
   declare(arguments, options.run);
   arguments.add("--out", options.out, "FILE", "The HTML file");
+  arguments.add("--most", options.most, "SIZE",
+                "Most that the file may have, as in 5MB; what does not fit is left out");
+  arguments.add("--thin", options.thin, "motion|end",
+                "What is left out then: the motion between moments, or the end of the run");
   arguments.add_flag("--overwrite", options.overwrite, "Replace an existing file");
 }
 

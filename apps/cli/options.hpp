@@ -135,6 +135,8 @@ struct ViewOptions {
 struct ReplayOptions {
   ShownRunChoice run;
   std::optional<std::string> out;
+  std::optional<std::string> most;  ///< A size, as in 5MB.
+  std::string thin = "motion";
   bool overwrite = false;
 };
 

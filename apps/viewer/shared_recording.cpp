@@ -99,6 +99,11 @@ std::optional<FileExtent> SharedRecording::chunk(std::uint64_t number) const {
   return reader_.chunks()[number].bytes;
 }
 
+RecordedChunk SharedRecording::contents(std::uint64_t number) const {
+  const std::lock_guard lock(mutex_);
+  return reader_.read(number);
+}
+
 std::uint64_t SharedRecording::length() const {
   const std::lock_guard lock(mutex_);
   return reader_.length();

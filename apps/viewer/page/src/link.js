@@ -37,6 +37,10 @@ const kItems = {
     write: ({ colorBy }) => colorBy,
     read: (viewer, text) => viewer.colorings.includes(text) && viewer.setColorBy(text),
   },
+  range: {
+    write: ({ fixedRange }) => fixedRange?.join(',') ?? null,
+    read: (viewer, text) => viewer.fixRange(numbersIn(text, 2)),
+  },
   edge: {
     write: ({ cellEdge }) => (cellEdge === null ? null : String(cellEdge)),
     read: (viewer, text) => viewer.setCellEdge(Number(text ?? 0)),

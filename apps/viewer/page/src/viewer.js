@@ -51,6 +51,7 @@ const kRetrySeconds = 2;
 const kUnits = { speed: 'L T⁻¹', size: 'L', spin: 'T⁻¹', collisions: '', contacts: '', 'last contact': 'T' }; // of colorings
 
 const element = (id) => document.getElementById(id);
+const number = (id) => Number(element(id).value);
 
 // The choice of a coloring.
 function optionOf(name) {
@@ -121,6 +122,8 @@ export class Viewer {
 
     this.link = new Link(this);
 
+    /** The ends of the scale of colors, if they are to stay as they are; otherwise null. */
+    this.fixedRange = null;
     /** The id of the followed sphere, or null. */
     this.followed = null;
     this.next = undefined;
@@ -144,6 +147,8 @@ export class Viewer {
     element('walls-label').hidden = this.surfaces.length === 0;
     element('images-label').hidden = !this.surroundings.images.isPeriodic;
     document.body.classList.toggle('is-still', this.isStill);
+    document.body.classList.toggle('has-moments', this.player.hasMoments);
+    if (this.player.hasMoments) this.showMoments();
     element('plots').hidden = this.isStill && this.plots.histogram === null;
     element('surroundings').hidden = this.surfaces.length === 0 && !this.surroundings.images.isPeriodic;
     this.showEvents();
@@ -267,8 +272,17 @@ export class Viewer {
     this.spheres.uniforms.colorBy.value = kColorBy.indexOf(name);
     if (name === 'species') this.showSpecies();
     if (name === 'domain') this.showDomains();
+    if (name !== this.colorBy) this.fixedRange = null; // it has other units
     this.colorBy = name;
     this.view.isStale = true;
+    if (this.scales) this.updateColors();
+  }
+
+  /** Keeps the ends of the scale of colors, two different numbers; lets them follow what is shown if they are null. */
+  fixRange(ends) {
+    const isMeant = ends !== null && ends.every(Number.isFinite) && ends[0] !== ends[1];
+    const isLogarithmic = this.spheres.uniforms.colorIsLogarithmic.value;
+    this.fixedRange = isMeant && (!isLogarithmic || ends.every((end) => end > 0)) ? ends : null;
     if (this.scales) this.updateColors();
   }
 
@@ -300,12 +314,13 @@ export class Viewer {
     return nearestBlock(this.domains.at(this.playback.time), this.center(id));
   }
 
-  /** Center of sphere `id` at `time` [T], folded into the box [L]. Error: the chunk cannot be loaded. */
+  /** Center of sphere `id` at `time` [T], or at the moment shown then, folded into the box [L]. Error: the chunk cannot be loaded. */
   async centerAt(id, time) {
-    const chunk = await this.store.load(this.store.numberAt(time));
+    const chunk = await this.store.load(this.player.numberAt(time));
+    const shown = this.player.hasMoments ? chunk.begin : time;
     const path = new Float64Array(kPathNumbers);
-    chunk.readPath(id, chunk.contactsUntil(time), path);
-    return readCenter(path, 0, time, this.box, [0, 0, 0]);
+    chunk.readPath(id, chunk.contactsUntil(shown), path);
+    return readCenter(path, 0, shown, this.box, [0, 0, 0]);
   }
 
   /** Whether the recording says what holds the spheres. */
@@ -361,7 +376,8 @@ export class Viewer {
     this.view.resize();
     if (this.view.isSoftware && this.source.header.spheres > kManyForSoftware) this.quality.begin('points');
     this.view.fit(this.surroundings.measure(this.playback), kFirstDirection);
-    element('show-events').checked = this.source.header.spheres <= kFewEnoughForFlashes;
+    element('show-events').checked =
+      this.source.header.spheres <= kFewEnoughForFlashes && !this.player.hasMoments && !this.wantsCalm;
     this.showCellEdge();
     element('color-by').replaceChildren(...kColorBy.filter((name) => this.offersColoring(name)).map(optionOf));
     this.setColorBy(this.firstColoring());
@@ -444,13 +460,16 @@ export class Viewer {
     const key = `${followed} ${began} ${known} ${playback.number}`;
     if (key !== this.trailKey) {
       this.trailKey = key;
-      this.past = recentPaths(store, followed, playback.number, playback.cursor, kContactsOfTrail);
-      this.next = nextContact(store, followed, playback.number, playback.cursor);
+      const { hasMoments } = playback;
+      this.past = hasMoments
+        ? [{ numbers: playback.paths.slice(kPathNumbers * followed, kPathNumbers * (followed + 1)), until: Infinity }]
+        : recentPaths(store, followed, playback.number, playback.cursor, kContactsOfTrail);
+      this.next = hasMoments ? undefined : nextContact(store, followed, playback.number, playback.cursor);
     }
     this.trail.update(
       this.past,
       playback.time,
-      this.next?.time ?? known,
+      this.next?.time ?? (playback.hasMoments ? playback.time : known),
       center,
       this.bodies.radii[followed],
     );
@@ -482,8 +501,19 @@ export class Viewer {
     if (this.colorBy === 'contacts') range.set(0, Math.max(...this.contacts));
     if (this.colorBy === 'last contact')
       range.set(roundUp(this.scales.rate > 0 ? 1 / this.scales.rate : this.player.speed), 0);
-    this.legend.showRange(range.x, range.y, kUnits[this.colorBy], isLogarithmic);
+    if (this.fixedRange) range.set(...this.fixedRange);
+    this.legend.showRange(range.x, range.y, kUnits[this.colorBy], isLogarithmic, this.fixedRange);
     this.view.isStale = true;
+  }
+
+  // The ends of the scale of colors, as people write them.
+  get rangeShown() {
+    return this.spheres.uniforms.colorRange.value.toArray().map((end) => Number(end.toPrecision(3)));
+  }
+
+  // Whether people want little to move by itself.
+  get wantsCalm() {
+    return matchMedia('(prefers-reduced-motion: reduce)').matches;
   }
 
   // Sizes and the number of each species change as spheres merge.
@@ -537,7 +567,8 @@ export class Viewer {
   // several.
   offersColoring(name) {
     if (name === 'speed') return !this.isAtRest;
-    if (name === 'collisions' || name === 'last contact') return !this.isStill;
+    if (name === 'collisions') return !this.isStill && !this.player.hasMoments;
+    if (name === 'last contact') return !this.isStill;
     if (name === 'spin') return this.canTurn;
     if (name === 'contacts') return this.contacts !== null;
     return name !== 'domain';
@@ -669,6 +700,15 @@ export class Viewer {
     this.approach();
   }
 
+  // Of a recording that has only moments, the page says so, and shows nothing of what is between them.
+  showMoments() {
+    const words = { back: 'Previous moment', forward: 'Next moment' };
+    for (const [id, text] of Object.entries(words)) {
+      element(id).setAttribute('aria-label', text);
+      element(id).title = `${text} (${id === 'back' ? 'P' : 'N'})`;
+    }
+  }
+
   // So slow that the followed sphere, or a typical one, takes at least four seconds to cross a cell.
   slowDown() {
     const edge = this.cells ? this.cells.edge[0] : 4 * this.largestRadius;
@@ -679,6 +719,10 @@ export class Viewer {
   listen() {
     const canvas = element('canvas');
     element('color-by').addEventListener('change', (event) => this.setColorBy(event.target.value));
+    element('fix-scale').addEventListener('change', ({ target }) => this.fixRange(target.checked ? this.rangeShown : null));
+    for (const id of ['scale-left', 'scale-right']) {
+      element(id).addEventListener('change', () => this.fixRange([number('scale-left'), number('scale-right')]));
+    }
     element('fit').addEventListener('click', () => this.fit());
     element('show-cells').addEventListener('change', (event) => this.showCells(event.target.checked));
     element('cell-edge').addEventListener('change', (event) => this.setCellEdge(Number(event.target.value)));

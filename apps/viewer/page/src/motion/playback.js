@@ -35,6 +35,8 @@ export class Playback {
     this.collisionsAtBegin = new CollisionsAtBegin();
     /** The epoch of growth; see Chunk. */
     this.epoch = { since: 0, scale: 1, rate: 0 };
+    /** Whether chunks do not continue each other, as those of moments. */
+    this.hasMoments = false;
     /** The surfaces of the header, which motions may drive. */
     this.surfaces = [];
   }
@@ -47,7 +49,7 @@ export class Playback {
 
   /** Goes to `time` in `chunk`, which is chunk `number`. Precondition: `time` lies in it. */
   moveTo(time, chunk, number) {
-    const goesOn = number === this.number + 1 && this.chunk !== null && time >= this.time;
+    const goesOn = number === this.number + 1 && this.chunk !== null && time >= this.time && !this.hasMoments;
     if (goesOn) {
       this.pass(Infinity);
       this.collisionsAtBegin.keep(number, this.collisions);

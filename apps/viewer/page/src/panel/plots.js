@@ -60,7 +60,7 @@ export class Plots {
   /** Adds chunk `number`. */
   add(chunk, number) {
     if (this.summaries.has(number)) return;
-    this.summaries.set(number, summarize(chunk, this.masses, this.begin, this.box.gravity));
+    this.summaries.set(number, summarize(chunk, this.masses, this.begin, this.box.gravity, this.player.hasMoments));
     this.isStale = true;
   }
 

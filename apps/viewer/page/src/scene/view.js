@@ -36,7 +36,10 @@ export class View {
     this.camera = new PerspectiveCamera(32, 1, 0.1, 1000);
     this.camera.up.set(...up);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = true;
+    // Who wants less motion moves the camera by hand alone.
+    const isCalm = matchMedia('(prefers-reduced-motion: reduce)');
+    this.controls.enableDamping = !isCalm.matches;
+    isCalm.addEventListener('change', () => (this.controls.enableDamping = !isCalm.matches));
     this.controls.dampingFactor = 0.12;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => (this.isStale = true));
