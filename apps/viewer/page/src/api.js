@@ -65,6 +65,8 @@ export function createApi(viewer) {
       forces: viewer.forceLines.forces.length,
       bonds: viewer.bondLines.bonds.length,
       images: viewer.surroundings.images.count,
+      arrows: viewer.arrows.object.visible ? viewer.arrows.lines.count : 0,
+      trails: viewer.trails.object.visible ? viewer.trails.lines.count : 0,
       chunks: source.ends.length,
       chunksInMemory: store.chunks.size,
       bytesInMemory: store.bytes,

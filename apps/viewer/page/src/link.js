@@ -16,6 +16,8 @@ const kLayers = {
   bonds: 'show-bonds',
   cells: 'show-cells',
   events: 'show-events',
+  arrows: 'show-arrows',
+  trails: 'show-trails',
   near: 'near-only',
   follow: 'camera-follows',
 };
@@ -52,6 +54,10 @@ const kItems = {
       for (const [name, id] of Object.entries(kLayers)) element(id).checked = names.includes(name);
       viewer.view.isStale = true;
     },
+  },
+  slice: {
+    write: ({ slice }) => slice.text,
+    read: ({ slice }, text) => slice.read(text),
   },
   speed: {
     write: ({ player }) => String(Number(player.speed.toPrecision(4))),

@@ -21,6 +21,7 @@ import { Plots } from './panel/plots.js';
 import { showRunStatus } from './panel/run_status.js';
 import { ScaleBar } from './panel/scale_bar.js';
 import { SpherePanel } from './panel/sphere_panel.js';
+import { Slice } from './panel/slice.js';
 import { Transport } from './panel/transport.js';
 import { WindowsPanel } from './panel/windows_panel.js';
 import { CellLayer, kFew } from './scene/cell_layer.js';
@@ -30,6 +31,7 @@ import { BondLines } from './scene/bond_lines.js';
 import { ForceLines } from './scene/force_lines.js';
 import { pick } from './scene/pick.js';
 import { Quality } from './scene/quality.js';
+import { Trails, VelocityArrows } from './scene/motion_lines.js';
 import { kColorBy, Spheres } from './scene/spheres.js';
 import { NeighborQuery } from './scene/surroundings.js';
 import { Trail } from './scene/trail.js';
@@ -41,6 +43,9 @@ const kFewEnoughForFlashes = 3000; // spheres; with more, contacts would hide ev
 const kFlashSeconds = 0.6; // how long a flash lasts while playing
 const kManyForSoftware = 2000; // spheres; with more, an emulated graphics card draws points from the start
 const kContactsOfTrail = 24;
+const kFewEnoughForLines = 20_000; // spheres; with more, arrows and trails would hide each other
+const kArrowRadii = 2.5; // length of the arrow of a typical sphere
+const kTrailTimes = 3; // as long in time as arrows
 const kSecondsBetweenPanels = 0.1;
 const kSecondsBetweenPlots = 0.5;
 const kScaleAmongForces = 0.4; // of radii, so that lines are seen
@@ -106,7 +111,10 @@ export class Viewer {
     this.bondLines = new BondLines(header.bonds ?? [], this.bodies, this.box, this.spheres.uniforms);
     const { radii: radiiNow } = this.bodies;
     this.surroundings = new NeighborQuery(this.surfaces, radiiNow, this.box, this.spheres, this.largestRadius);
-    const layers = [this.flashes, this.trail, this.cellLayer, this.forceLines, this.bondLines, this.surroundings];
+    this.arrows = new VelocityArrows(this.bodies, this.box, this.spheres.uniforms);
+    this.trails = new Trails(this.bodies, this.box, this.spheres.uniforms);
+    const lines = [this.forceLines, this.bondLines, this.arrows, this.trails];
+    const layers = [this.flashes, this.trail, this.cellLayer, ...lines, this.surroundings];
     for (const { object } of [this.spheres, ...layers]) this.view.scene.add(object);
 
     this.notices = new Notices();
@@ -118,6 +126,7 @@ export class Viewer {
     this.scaleBar = new ScaleBar();
     this.help = new Help(this);
     this.shooting = new Shooting(this);
+    this.slice = new Slice(this);
     this.quality = new Quality(window.devicePixelRatio, (way) => this.draw(way));
 
     this.link = new Link(this);
@@ -370,6 +379,11 @@ export class Viewer {
     this.scales = typicalScales(this.playback.chunk, this.source.radii, this.source.header);
     this.isAtRest = this.isStill && this.bodies.radii.every((_, id) => this.velocity(id).every((part) => part === 0));
     document.body.classList.toggle('is-at-rest', this.isAtRest);
+    /** The time in which spheres go as far as their arrows [T]. */
+    this.arrowTime = roundUp((kArrowRadii * this.largestRadius) / (this.scales.speed || 1));
+    const times = [this.arrowTime, kTrailTimes * this.arrowTime].map((time) => `${show(time, 2)} T`);
+    element('motion-text').textContent = `An arrow is the way in ${times[0]}, a trail that of the last ${times[1]}.`;
+    element('motion').hidden = this.source.header.spheres > kFewEnoughForLines;
     this.transport.center(this.scales.playing);
     this.player.speed = this.scales.playing;
     this.plots.update(this.playback);
@@ -432,6 +446,7 @@ export class Viewer {
     }
     this.bondLines.object.visible = this.hasBonds && element('show-bonds').checked;
     if (this.bondLines.object.visible) this.bondLines.update(this.playback);
+    this.updateMotion();
     uniforms.hasMarks.value = this.canTurn && element('show-spin').checked;
     uniforms.leastPixels.value = this.sizes.leastPixels * this.view.pixelRatio;
     if (followed >= 0) {
@@ -451,6 +466,24 @@ export class Viewer {
     uniforms.fromCamera.value.setFromMatrix4(this.view.camera.matrixWorld);
     this.view.render();
     this.scaleBar.update(this.view.lengthOfPixel);
+  }
+
+  // Velocities and trails of the spheres that are drawn.
+  updateMotion() {
+    const isShown = (id, center) => this.isDrawn(id, center);
+    this.arrows.object.visible = element('show-arrows').checked;
+    if (this.arrows.object.visible) this.arrows.update(this.playback, this.arrowTime, isShown);
+    this.trails.object.visible = element('show-trails').checked;
+    if (this.trails.object.visible) this.trails.update(this.playback, kTrailTimes * this.arrowTime, isShown);
+  }
+
+  // Whether sphere `id`, whose center is at `center` [L], is drawn.
+  isDrawn(id, center) {
+    const { reach, followedCenter } = this.spheres.uniforms;
+    if (!this.slice.has(center)) return false;
+    if (reach.value === 0 || id === this.followed) return true;
+    const difference = center.map((place, axis) => place - followedCenter.value.getComponent(axis));
+    return Math.hypot(...this.box.nearestApart(difference, this.playback.time)) <= reach.value;
   }
 
   updateTrail(center) {
@@ -727,7 +760,7 @@ export class Viewer {
     element('show-cells').addEventListener('change', (event) => this.showCells(event.target.checked));
     element('cell-edge').addEventListener('change', (event) => this.setCellEdge(Number(event.target.value)));
     element('slow').addEventListener('click', () => this.slowDown());
-    const layers = ['events', 'walls', 'images', 'spin', 'forces', 'bonds'].map((name) => `show-${name}`);
+    const layers = ['events', 'walls', 'images', 'spin', 'forces', 'bonds', 'arrows', 'trails'].map((name) => `show-${name}`);
     for (const id of [...layers, 'camera-follows', 'near-only']) {
       element(id).addEventListener('change', () => (this.view.isStale = true));
     }
@@ -769,14 +802,7 @@ export class Viewer {
     const { left, top } = element('canvas').getBoundingClientRect();
     const ray = this.view.ray(clientX - left, clientY - top);
     const tolerance = (pointerType === 'touch' ? 14 : 4) * this.view.pixelTangent;
-    const middle = this.followed === null ? null : this.center(this.followed);
-    const { reach } = this.spheres.uniforms;
-    const isShown = (id, center) => {
-      if (reach.value === 0 || id === this.followed) return true;
-      const difference = center.map((place, axis) => place - middle[axis]);
-      const apart = Math.hypot(...this.box.nearestApart(difference, this.playback.time));
-      return apart <= reach.value;
-    };
+    const isShown = (id, center) => this.isDrawn(id, center);
     const leastSize = (this.sizes.leastPixels / 2) * this.view.pixelTangent;
     const options = { tolerance, leastSize, isShown, images: this.surroundings.images };
     const id = pick(this.playback, this.bodies.radii, this.box, ray, options);
