@@ -31,6 +31,7 @@ ExitCode convert(const ConvertOptions& options);
 ExitCode info(const InfoOptions& options);
 ExitCode view(const ViewOptions& options);
 ExitCode replay(const ReplayOptions& options);
+ExitCode film(const FilmOptions& options);
 ExitCode sweep(const SweepOptions& options);
 
 }  // namespace hardball::cli

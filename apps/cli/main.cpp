@@ -48,6 +48,7 @@ ExitCode parse_and_run(int argument_count, char** arguments, const Launch& launc
   line.add<InfoOptions>("info", "Describe files", info);
   line.add<ViewOptions>("view", "Show a run in the browser, live or recorded", view);
   line.add<ReplayOptions>("replay", "Write a run as a single HTML file for offline viewing", replay);
+  line.add<FilmOptions>("film", "Write a run as a film, every frame at its exact time", film);
   line.add<SweepOptions>("sweep", "Run a scenario with many values, and tabulate what comes out", sweep);
   line.add("manual", "Print the manual page, for man -l -", [&] { return print_manual(line.describe()); });
   line.add<CompletionOptions>(

@@ -160,6 +160,28 @@ void declare(Arguments arguments, ViewOptions& options) {
 void declare(Arguments arguments, ReplayOptions& options) {
   declare(arguments, options.run);
   arguments.add("--out", options.out, "FILE", "The HTML file");
+  arguments.add("--most", options.most, "SIZE",
+                "Most that the file may have, as in 5MB; what does not fit is left out");
+  arguments.add("--thin", options.thin, "motion|end",
+                "What is left out then: the motion between moments, or the end of the run");
+  arguments.add_flag("--overwrite", options.overwrite, "Replace an existing file");
+}
+
+void declare(Arguments arguments, FilmOptions& options) {
+  arguments.add("OUT", options.out, "TEXT", "The film: a file .webm or .mp4");
+  declare(arguments, options.run);
+  arguments.add("--from", options.from, "TIME", "Time of the first frame, the start of the run if not given");
+  arguments.add("--to", options.to, "TIME", "Time of the last frame, the end of the run if not given");
+  arguments.add("--speed", options.speed, "TIME",
+                "Simulated time in a second of the film, as in the viewer if not given");
+  arguments.add("--fps", options.fps, "NUMBER", "Frames in a second, 30 if not given");
+  arguments.add("--size", options.size, "WIDTHxHEIGHT", "Pixels, 1280x720 if not given");
+  arguments.add("--spin", options.spin, "DEGREES", "Turn the camera by this angle during the film");
+  arguments.add("--view", options.view, "LINK",
+                "What the viewer is to show: a link copied from it, or what is after its #");
+  arguments.add("--quality", options.quality, "full|points",
+                "Shaded spheres, or points, which are drawn faster");
+  arguments.add("--frames", options.frames, "DIRECTORY", "Write each frame as a picture (PNG), too");
   arguments.add_flag("--overwrite", options.overwrite, "Replace an existing file");
 }
 

@@ -135,6 +135,24 @@ struct ViewOptions {
 struct ReplayOptions {
   ShownRunChoice run;
   std::optional<std::string> out;
+  std::optional<std::string> most;  ///< A size, as in 5MB.
+  std::string thin = "motion";
+  bool overwrite = false;
+};
+
+/// The options of hardball film.
+struct FilmOptions {
+  std::string out;
+  ShownRunChoice run;
+  std::optional<std::string> from;   ///< A time.
+  std::optional<std::string> to;     ///< A time.
+  std::optional<std::string> speed;  ///< Simulated time in a second.
+  std::string fps = "30";
+  std::string spin = "0";  ///< Degrees.
+  std::string size = "1280x720";
+  std::string quality = "full";
+  std::string view;                   ///< A link, or what is after its #.
+  std::optional<std::string> frames;  ///< A directory for pictures.
   bool overwrite = false;
 };
 
@@ -169,6 +187,7 @@ void declare(Arguments arguments, ConvertOptions& options);
 void declare(Arguments arguments, InfoOptions& options);
 void declare(Arguments arguments, ViewOptions& options);
 void declare(Arguments arguments, ReplayOptions& options);
+void declare(Arguments arguments, FilmOptions& options);
 void declare(Arguments arguments, SweepOptions& options);
 void declare(Arguments arguments, CompletionOptions& options);
 

@@ -36,6 +36,12 @@ Replay::Replay(const SharedRecording& recording, const Page& page)
               "replay of " + recording.header().name, "end the run earlier or use fewer spheres");
 }
 
+std::uint64_t Replay::recorded_bytes(std::uint64_t most_bytes, const Page& page) {
+  const OnePiece one(page);
+  const std::uint64_t other = one.head.size() + one.tail.size();
+  return other < most_bytes ? (most_bytes - other) / 4 * 3 : 0;
+}
+
 std::uint64_t Replay::length() const {
   return page_.head.size() + (recorded_ + 2) / 3 * 4 + page_.tail.size();
 }

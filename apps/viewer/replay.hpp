@@ -21,6 +21,9 @@ class Replay {
   /// `recording` must outlive it. Error: the recording is longer than kMaxReplayedBytes.
   Replay(const SharedRecording& recording, const Page& page);
 
+  /// How many bytes of a recording fit into an HTML file of `most_bytes`; zero if not even the page does.
+  static std::uint64_t recorded_bytes(std::uint64_t most_bytes, const Page& page);
+
   /// Length of the HTML file in bytes.
   std::uint64_t length() const;
   /// Some bytes of the file from `offset` on, at least one. Precondition: offset < length(). Error

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/viewer/connection_threads.hpp"
+#include "apps/viewer/film.hpp"
 #include "apps/viewer/guarded_server.hpp"
 #include "apps/viewer/http.hpp"
 #include "apps/viewer/replay.hpp"
@@ -30,6 +31,11 @@ constexpr std::size_t kMaxConnections = 512;
 constexpr std::string_view kTokenKey = "token=";
 
 constexpr std::size_t kPieceBytes = 1 << 16;
+
+// What the page sends of a film at a time.
+constexpr std::size_t kMaxPieceBytes = 1 << 28;
+
+constexpr const char* kFilmPath = "/api/film";
 
 constexpr int kBadRequest = 400;
 constexpr int kForbidden = 403;
@@ -128,8 +134,10 @@ std::string file_name(const RecordingHeader& header) {
 
 }  // namespace
 
-Server::Server(const SharedRecording& recording, const Page& page, int port, const ClientLimits& limits)
+Server::Server(const SharedRecording& recording, const Page& page, int port, const ClientLimits& limits,
+               Film* film)
     : recording_(&recording),
+      film_(film),
       page_(page),
       token_(make_token()),
       index_(with_token(page, token_)),
@@ -141,6 +149,7 @@ Server::Server(const SharedRecording& recording, const Page& page, int port, con
   set_rules();
   add_page();
   add_recording();
+  if (film_) add_film();
   if (port == 0) {
     port_ = server_->bind_to_any_port(kHost);
     if (port_ <= 0) throw Error("no port is free", "viewer", "close other programs");
@@ -170,7 +179,7 @@ std::string Server::url() const {
 
 void Server::set_rules() {
   server_->new_task_queue = [] { return new ConnectionThreads(kMaxConnections); };
-  server_->set_payload_max_length(0);
+  server_->set_payload_max_length(film_ ? kMaxPieceBytes : 0);
   server_->set_socket_options([this](socket_t socket) {
     socket_ = socket;
     platform::keep_port(socket);
@@ -212,7 +221,8 @@ bool Server::is_allowed(const Request& request, Response& response) const {
            "the token is missing or wrong: open the address that hardball view printed");
     return false;
   }
-  if (request.method != "GET" && request.method != "HEAD") {
+  const bool is_of_film = film_ && request.method == "POST" && request.path == kFilmPath;
+  if (request.method != "GET" && request.method != "HEAD" && !is_of_film) {
     response.set_header("Allow", "GET, HEAD");
     refuse(response, kMethodNotAllowed, "there is nothing to change here");
     return false;
@@ -262,6 +272,35 @@ void Server::add_recording() {
     const std::optional<FileExtent> chunk = recording_->chunk(*number);
     if (!chunk) return refuse(response, kNotFound, "there is no such chunk yet");
     send(request, response, *recording_, *chunk);
+  });
+}
+
+void Server::add_film() {
+  server_->Get(kFilmPath, [this](const Request& request, Response& response) {
+    send(request, response, film_->order_json(), "application/json");
+  });
+  server_->Post(kFilmPath, [this](const Request& request, Response& response) {
+    const auto number = [&](const std::string& key) { return number_in(request, key); };
+    try {
+      if (const auto position = number("position")) {
+        film_->write(*position, request.body);
+      } else if (const auto frame = number("frame")) {
+        film_->write_frame(*frame, request.body);
+      } else if (const auto shown = number("shown")) {
+        film_->note(*shown, number("of").value_or(0));
+      } else if (const auto count = number("ended")) {
+        film_->note(*count, *count);
+        film_->end(std::nullopt);
+      } else if (request.has_param("failed")) {
+        film_->end(request.get_param_value("failed"));
+      } else {
+        return refuse(response, kBadRequest, "the query says nothing of a film");
+      }
+      response.set_content("", "text/plain; charset=utf-8");
+    } catch (const std::exception& error) {
+      film_->end(error.what());
+      refuse(response, kServerError, error.what());
+    }
   });
 }
 

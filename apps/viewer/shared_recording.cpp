@@ -99,9 +99,19 @@ std::optional<FileExtent> SharedRecording::chunk(std::uint64_t number) const {
   return reader_.chunks()[number].bytes;
 }
 
+RecordedChunk SharedRecording::contents(std::uint64_t number) const {
+  const std::lock_guard lock(mutex_);
+  return reader_.read(number);
+}
+
 std::uint64_t SharedRecording::length() const {
   const std::lock_guard lock(mutex_);
   return reader_.length();
+}
+
+double SharedRecording::reached() const {
+  const std::lock_guard lock(mutex_);
+  return reader_.reached();
 }
 
 std::string SharedRecording::read(const FileExtent& extent) const {

@@ -56,6 +56,8 @@ class SharedRecording {
 
   RunProgress progress() const;
   const RecordingHeader& header() const { return reader_.header(); }
+  /// The recording's header as in the file: one JSON object.
+  const std::string& header_text() const { return reader_.header_text(); }
   /// The recording's header and the number of chunks: one JSON object.
   std::string header_json() const;
   /// The progress of the run, and the end times of the chunks from number `from` on: one JSON object.
@@ -65,15 +67,20 @@ class SharedRecording {
   FileExtent spheres() const { return reader_.spheres(); }
   /// The part of the file that holds a chunk; none if it is not there yet.
   std::optional<FileExtent> chunk(std::uint64_t number) const;
+  /// What a chunk contains. Error: see RecordingReader::read.
+  RecordedChunk contents(std::uint64_t number) const;
   /// Length of the recording up to its last complete chunk.
   std::uint64_t length() const;
+
+  /// Up to where it is known [T].
+  double reached() const;
 
   /// Bytes of the file. Error (RunFailure): they cannot be read.
   std::string read(const FileExtent& extent) const;
 
  private:
-  RecordingReader reader_;
-  platform::File file_;  // for reading at any offset without a lock
+  mutable RecordingReader reader_;  // which reads chunks by moving its place in the file
+  platform::File file_;             // for reading at any offset without a lock
   mutable std::mutex mutex_;
   RunProgress progress_;
 };

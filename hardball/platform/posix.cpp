@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -276,24 +277,86 @@ bool has_display() {
 #endif
 }
 
-void open_browser(const std::string& url) {
+namespace {
+
+// Starts a program in a group of its own, without standard streams; zero if that is impossible.
+pid_t start_program(const std::string& program, const std::vector<std::string>& arguments) {
 #if defined(__APPLE__)
-  std::string program = "open";
   char** const environment = *_NSGetEnviron();
 #else
-  std::string program = "xdg-open";
   char** const environment = environ;
 #endif
-  std::string address = url;
-  char* const arguments[] = {program.data(), address.data(), nullptr};
+  std::vector<std::string> words{program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
   }
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
   pid_t process = 0;
-  posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments, environment);
+  if (posix_spawnp(&process, program.c_str(), &actions, &attributes, pointers.data(), environment) != 0) {
+    process = 0;
+  }
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
+  return process;
+}
+
+}  // namespace
+
+void open_browser(const std::string& url) {
+#if defined(__APPLE__)
+  start_program("open", {url});
+#else
+  start_program("xdg-open", {url});
+#endif
+}
+
+std::filesystem::path find_program(const std::vector<std::string_view>& names) {
+  const char* const folders = std::getenv("PATH");
+  if (!folders) return {};
+  for (const std::string_view name : names) {
+    std::string_view rest = folders;
+    for (bool is_last = false; !is_last;) {
+      const std::size_t end = rest.find(':');
+      const std::filesystem::path file = std::filesystem::path(rest.substr(0, end)) / name;
+      if (access(file.c_str(), X_OK) == 0) return file;
+      is_last = end == std::string_view::npos;
+      if (!is_last) rest.remove_prefix(end + 1);
+    }
+  }
+  return {};
+}
+
+HelperProgram::HelperProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments)
+    : process_(start_program(program.string(), arguments)), group_(process_) {}
+
+HelperProgram::~HelperProgram() {
+  if (group_ == 0) return;
+  constexpr int kPatience = 100;
+  const timespec moment{0, 20'000'000};
+  const auto group = static_cast<pid_t>(group_);
+  kill(-group, SIGTERM);
+  for (int k = 0; k < kPatience && is_running(); ++k) nanosleep(&moment, nullptr);
+  kill(-group, SIGKILL);
+  if (process_ != 0) waitpid(static_cast<pid_t>(process_), nullptr, 0);
+}
+
+bool HelperProgram::is_running() {
+  if (process_ == 0) return false;
+  if (waitpid(static_cast<pid_t>(process_), nullptr, WNOHANG) != 0) process_ = 0;
+  return process_ != 0;
+}
+
+bool is_superuser() {
+  return geteuid() == 0;
 }
 
 void* symbol_of_library(const std::filesystem::path& library, const char* name, std::string& problem) {

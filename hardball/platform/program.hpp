@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace hardball::platform {
 
@@ -38,6 +40,29 @@ std::filesystem::path program_file();
 bool has_display();
 /// Asks the desktop to open its browser, and does not wait for it; it may fail.
 void open_browser(const std::string& url);
+
+/// The file of the first of these programs that the search path of the system has; nothing if it has none.
+std::filesystem::path find_program(const std::vector<std::string_view>& names);
+
+/// Another program that runs beside this one, without input, output and messages.
+class HelperProgram {
+ public:
+  /// Starts it: its file, and its arguments. If that is impossible, it does not run.
+  HelperProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  /// Ends it, with all that it has started.
+  ~HelperProgram();
+  HelperProgram(const HelperProgram&) = delete;
+  HelperProgram& operator=(const HelperProgram&) = delete;
+
+  bool is_running();
+
+ private:
+  std::intptr_t process_ = 0;  // none if it is zero
+  std::intptr_t group_ = 0;    // what ends with it, where the system has a name for that
+};
+
+/// Whether this process may do all that the system allows.
+bool is_superuser();
 
 /// Loads a library, for all of the program, and returns what it has under this name; null, with the problem,
 /// if that is impossible.

@@ -306,6 +306,55 @@ void open_browser(const std::string& url) {
                 SW_SHOWNORMAL);
 }
 
+std::filesystem::path find_program(const std::vector<std::string_view>& names) {
+  for (const std::string_view name : names) {
+    std::wstring file(1 << 15, L'\0');
+    const std::wstring wanted = std::filesystem::path(name).wstring();
+    const DWORD length =
+        SearchPathW(nullptr, wanted.c_str(), L".exe", static_cast<DWORD>(file.size()), file.data(), nullptr);
+    file.resize(length < file.size() ? length : 0);
+    if (!file.empty()) return file;
+  }
+  return {};
+}
+
+HelperProgram::HelperProgram(const std::filesystem::path& program,
+                             const std::vector<std::string>& arguments) {
+  // None of the arguments ends with a backslash or has quotation marks.
+  std::wstring line = L"\"" + program.wstring() + L"\"";
+  for (const std::string& argument : arguments)
+    line += L" \"" + std::filesystem::path(argument).wstring() + L"\"";
+  const HANDLE job = CreateJobObjectW(nullptr, nullptr);
+  JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
+  limits.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE;
+  SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits, sizeof limits);
+  STARTUPINFOW start{};
+  start.cb = sizeof start;
+  PROCESS_INFORMATION process{};
+  constexpr DWORD kFlags = CREATE_NO_WINDOW | CREATE_SUSPENDED;
+  if (CreateProcessW(nullptr, line.data(), nullptr, nullptr, FALSE, kFlags, nullptr, nullptr, &start,
+                     &process)) {
+    AssignProcessToJobObject(job, process.hProcess);
+    ResumeThread(process.hThread);
+    CloseHandle(process.hThread);
+    process_ = reinterpret_cast<std::intptr_t>(process.hProcess);
+  }
+  group_ = reinterpret_cast<std::intptr_t>(job);
+}
+
+HelperProgram::~HelperProgram() {
+  if (group_ != 0) CloseHandle(reinterpret_cast<HANDLE>(group_));
+  if (process_ != 0) CloseHandle(reinterpret_cast<HANDLE>(process_));
+}
+
+bool HelperProgram::is_running() {
+  return process_ != 0 && WaitForSingleObject(reinterpret_cast<HANDLE>(process_), 0) == WAIT_TIMEOUT;
+}
+
+bool is_superuser() {
+  return false;
+}
+
 void* symbol_of_library(const std::filesystem::path& library, const char* name, std::string& problem) {
   const HMODULE loaded = LoadLibraryW(library.c_str());
   const FARPROC symbol = loaded ? GetProcAddress(loaded, name) : nullptr;

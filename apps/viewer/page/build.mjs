@@ -6,7 +6,7 @@ import { readFile } from 'node:fs/promises';
 import { build } from 'esbuild';
 
 const licenses = await Promise.all(
-  ['three', 'uplot'].map(
+  ['three', 'uplot', 'mediabunny'].map(
     async (name) => `${name}:\n${await readFile(`node_modules/${name}/LICENSE`, 'utf8')}`,
   ),
 );

@@ -232,7 +232,8 @@ test('all colorings, cells, flashes and a screenshot', async () => {
     await page.waitForFunction(() => document.getElementById('cell-edge').value === '3');
     assert.notEqual((await state(page)).followed, null);
     await page.click('#slow');
-    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#screenshot')]);
+    await page.click('#screenshot');
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-picture')]);
     assert.equal((await readFile(await download.path())).subarray(1, 4).toString(), 'PNG');
   });
 });

@@ -39,11 +39,17 @@ export class Browser {
   }
 
   /** Opens `url`, and returns the page. Errors are listed in `page.errors`. */
-  async openPage(url, { width = 1000, height = 700, scheme = 'light', pixelRatio = 1 } = {}) {
+  async openPage(
+    url,
+    { width = 1000, height = 700, scheme = 'light', pixelRatio = 1, reducedMotion = 'no-preference', hasTouch = false } = {},
+  ) {
     const context = await this.browser.newContext({
       viewport: { width, height },
       colorScheme: scheme,
       deviceScaleFactor: pixelRatio,
+      reducedMotion,
+      hasTouch,
+      isMobile: hasTouch,
       acceptDownloads: true,
     });
     const page = await context.newPage();

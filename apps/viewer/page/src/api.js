@@ -43,6 +43,10 @@ export function createApi(viewer) {
     follow: (id) => viewer.follow(id),
     /** Draws in quality `name`: "full", "reduced", "points" or "coarse". */
     setQuality: (name) => viewer.setQuality(name),
+    /** What a link to the picture says after its #. */
+    link: () => viewer.link.state,
+    /** Shows what a link says after its #; the promise resolves once it is read. */
+    show: (state) => viewer.link.show(state),
     /** Everything else, in numbers. */
     state: () => ({
       time: player.time,
@@ -61,6 +65,8 @@ export function createApi(viewer) {
       forces: viewer.forceLines.forces.length,
       bonds: viewer.bondLines.bonds.length,
       images: viewer.surroundings.images.count,
+      arrows: viewer.arrows.object.visible ? viewer.arrows.lines.count : 0,
+      trails: viewer.trails.object.visible ? viewer.trails.lines.count : 0,
       chunks: source.ends.length,
       chunksInMemory: store.chunks.size,
       bytesInMemory: store.bytes,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 import { createApi } from './api.js';
+import { OrderedFilm } from './film/ordered_film.js';
 import { listenToKeys } from './panel/keyboard.js';
 import { PortSource, portOfParent } from './recording/port_source.js';
 import { SavedSource } from './recording/saved_source.js';
@@ -8,6 +9,7 @@ import { ServerSource } from './recording/server_source.js';
 import { Viewer } from './viewer.js';
 
 const query = new URLSearchParams(location.search);
+const film = query.has('film') ? new OrderedFilm(query.get('token') ?? '') : null;
 
 // The recording: in this page, from the page around this one, or from the program. A page that has room for one, and none
 // there, has it from around it, too.
@@ -21,6 +23,7 @@ async function sourceOf() {
 async function open() {
   const source = await sourceOf();
   await source.open();
+  await film?.begin();
   const { name } = source.header;
   document.getElementById('name').textContent = name;
   document.title = name ? `${name} – Hardball` : 'Hardball';
@@ -28,6 +31,9 @@ async function open() {
   listenToKeys(viewer);
   window.hardball = createApi(viewer);
   viewer.start();
+  if (!film) return;
+  await viewer.begun;
+  await film.shoot(viewer);
 }
 
 open().catch((error) => {
@@ -37,5 +43,6 @@ open().catch((error) => {
   document.getElementById('notices').append(notice);
   document.getElementById('status').dataset.state = 'failed';
   document.getElementById('status-text').textContent = 'Failed';
+  film?.fail(error);
   throw error;
 });

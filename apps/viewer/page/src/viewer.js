@@ -11,14 +11,17 @@ import { Player } from './motion/player.js';
 import { partnerName, readSurfaces } from './motion/surfaces.js';
 import { ChunkStore } from './recording/chunk_store.js';
 import { kPathNumbers } from './recording/chunk.js';
+import { Link } from './link.js';
 import { ColorLegend, showEventLegend, showForceLegend, showSurfaceLegend } from './panel/legend.js';
 import { show, showCount } from './panel/numbers.js';
 import { Help } from './panel/help.js';
+import { Shooting } from './panel/shooting.js';
 import { Notices } from './panel/notices.js';
 import { Plots } from './panel/plots.js';
 import { showRunStatus } from './panel/run_status.js';
 import { ScaleBar } from './panel/scale_bar.js';
 import { SpherePanel } from './panel/sphere_panel.js';
+import { Slice } from './panel/slice.js';
 import { Transport } from './panel/transport.js';
 import { WindowsPanel } from './panel/windows_panel.js';
 import { CellLayer, kFew } from './scene/cell_layer.js';
@@ -28,6 +31,7 @@ import { BondLines } from './scene/bond_lines.js';
 import { ForceLines } from './scene/force_lines.js';
 import { pick } from './scene/pick.js';
 import { Quality } from './scene/quality.js';
+import { Trails, VelocityArrows } from './scene/motion_lines.js';
 import { kColorBy, Spheres } from './scene/spheres.js';
 import { NeighborQuery } from './scene/surroundings.js';
 import { Trail } from './scene/trail.js';
@@ -39,6 +43,9 @@ const kFewEnoughForFlashes = 3000; // spheres; with more, contacts would hide ev
 const kFlashSeconds = 0.6; // how long a flash lasts while playing
 const kManyForSoftware = 2000; // spheres; with more, an emulated graphics card draws points from the start
 const kContactsOfTrail = 24;
+const kFewEnoughForLines = 20_000; // spheres; with more, arrows and trails would hide each other
+const kArrowRadii = 2.5; // length of the arrow of a typical sphere
+const kTrailTimes = 3; // as long in time as arrows
 const kSecondsBetweenPanels = 0.1;
 const kSecondsBetweenPlots = 0.5;
 const kScaleAmongForces = 0.4; // of radii, so that lines are seen
@@ -49,6 +56,7 @@ const kRetrySeconds = 2;
 const kUnits = { speed: 'L T⁻¹', size: 'L', spin: 'T⁻¹', collisions: '', contacts: '', 'last contact': 'T' }; // of colorings
 
 const element = (id) => document.getElementById(id);
+const number = (id) => Number(element(id).value);
 
 // The choice of a coloring.
 function optionOf(name) {
@@ -103,7 +111,10 @@ export class Viewer {
     this.bondLines = new BondLines(header.bonds ?? [], this.bodies, this.box, this.spheres.uniforms);
     const { radii: radiiNow } = this.bodies;
     this.surroundings = new NeighborQuery(this.surfaces, radiiNow, this.box, this.spheres, this.largestRadius);
-    const layers = [this.flashes, this.trail, this.cellLayer, this.forceLines, this.bondLines, this.surroundings];
+    this.arrows = new VelocityArrows(this.bodies, this.box, this.spheres.uniforms);
+    this.trails = new Trails(this.bodies, this.box, this.spheres.uniforms);
+    const lines = [this.forceLines, this.bondLines, this.arrows, this.trails];
+    const layers = [this.flashes, this.trail, this.cellLayer, ...lines, this.surroundings];
     for (const { object } of [this.spheres, ...layers]) this.view.scene.add(object);
 
     this.notices = new Notices();
@@ -114,14 +125,25 @@ export class Viewer {
     this.windowsPanel = new WindowsPanel();
     this.scaleBar = new ScaleBar();
     this.help = new Help(this);
+    this.shooting = new Shooting(this);
+    this.slice = new Slice(this);
     this.quality = new Quality(window.devicePixelRatio, (way) => this.draw(way));
 
+    this.link = new Link(this);
+
+    /** The ends of the scale of colors, if they are to stay as they are; otherwise null. */
+    this.fixedRange = null;
     /** The id of the followed sphere, or null. */
     this.followed = null;
     this.next = undefined;
     this.scales = null;
     this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;
+    /** The edge of cells that was chosen [L], or null. */
+    this.cellEdge = null;
     this.isLost = false;
+    /** Whether pictures are drawn for others than the page. */
+    this.isShooting = false;
+    this.begun = new Promise((resolve) => (this.tellBegun = resolve));
     this.isDark = matchMedia('(prefers-color-scheme: dark)');
     this.last = { frame: 0, panels: -Infinity, plots: -Infinity, time: NaN };
     this.listen();
@@ -134,6 +156,8 @@ export class Viewer {
     element('walls-label').hidden = this.surfaces.length === 0;
     element('images-label').hidden = !this.surroundings.images.isPeriodic;
     document.body.classList.toggle('is-still', this.isStill);
+    document.body.classList.toggle('has-moments', this.player.hasMoments);
+    if (this.player.hasMoments) this.showMoments();
     element('plots').hidden = this.isStill && this.plots.histogram === null;
     element('surroundings').hidden = this.surfaces.length === 0 && !this.surroundings.images.isPeriodic;
     this.showEvents();
@@ -220,7 +244,35 @@ export class Viewer {
   /** Shows everything as at the start. */
   resetView() {
     this.fit();
-    if (this.playback.chunk) this.view.fit(this.surroundings.measure(this.playback), kFirstDirection);
+    if (this.playback.chunk) this.resetCamera(this.surroundings.measure(this.playback));
+  }
+
+  /**
+   * Moves the camera to where it sees an extent, two corners [L], from the first direction; if `isTurned`, from all to which it
+   * can turn aside.
+   */
+  resetCamera(extent, isTurned = false) {
+    this.surroundings.extent = extent;
+    this.view.fit(extent, kFirstDirection, isTurned);
+  }
+
+  /** Lets what surrounds the spheres reach over an extent, two corners [L]. */
+  span(extent) {
+    this.surroundings.extent = extent;
+    this.view.span(extent);
+  }
+
+  /** The next picture follows from what it shows alone, and not from what was shown before. */
+  settle() {
+    this.spheres.forget();
+    this.trailKey = null;
+    this.cellsGathered = null;
+    this.view.isStale = true;
+  }
+
+  /** What the spheres can be colored by. */
+  get colorings() {
+    return [...element('color-by').options].map(({ value }) => value);
   }
 
   /** Colors the spheres by one of kColorBy. */
@@ -229,8 +281,17 @@ export class Viewer {
     this.spheres.uniforms.colorBy.value = kColorBy.indexOf(name);
     if (name === 'species') this.showSpecies();
     if (name === 'domain') this.showDomains();
+    if (name !== this.colorBy) this.fixedRange = null; // it has other units
     this.colorBy = name;
     this.view.isStale = true;
+    if (this.scales) this.updateColors();
+  }
+
+  /** Keeps the ends of the scale of colors, two different numbers; lets them follow what is shown if they are null. */
+  fixRange(ends) {
+    const isMeant = ends !== null && ends.every(Number.isFinite) && ends[0] !== ends[1];
+    const isLogarithmic = this.spheres.uniforms.colorIsLogarithmic.value;
+    this.fixedRange = isMeant && (!isLogarithmic || ends.every((end) => end > 0)) ? ends : null;
     if (this.scales) this.updateColors();
   }
 
@@ -262,12 +323,13 @@ export class Viewer {
     return nearestBlock(this.domains.at(this.playback.time), this.center(id));
   }
 
-  /** Center of sphere `id` at `time` [T], folded into the box [L]. Error: the chunk cannot be loaded. */
+  /** Center of sphere `id` at `time` [T], or at the moment shown then, folded into the box [L]. Error: the chunk cannot be loaded. */
   async centerAt(id, time) {
-    const chunk = await this.store.load(this.store.numberAt(time));
+    const chunk = await this.store.load(this.player.numberAt(time));
+    const shown = this.player.hasMoments ? chunk.begin : time;
     const path = new Float64Array(kPathNumbers);
-    chunk.readPath(id, chunk.contactsUntil(time), path);
-    return readCenter(path, 0, time, this.box, [0, 0, 0]);
+    chunk.readPath(id, chunk.contactsUntil(shown), path);
+    return readCenter(path, 0, shown, this.box, [0, 0, 0]);
   }
 
   /** Whether the recording says what holds the spheres. */
@@ -289,6 +351,7 @@ export class Viewer {
 
   frame(now) {
     requestAnimationFrame((next) => this.frame(next));
+    if (this.isShooting) return;
     const seconds = (now - this.last.frame) / 1000;
     this.last.frame = now;
     this.player.advance(seconds);
@@ -308,6 +371,7 @@ export class Viewer {
     if (this.player.isPlaying && hasMoved) this.quality.note(seconds);
     else this.quality.restart();
     this.updateNumbers(now / 1000);
+    this.link.update(now / 1000);
   }
 
   // The first frame: what depends on typical scales.
@@ -315,17 +379,55 @@ export class Viewer {
     this.scales = typicalScales(this.playback.chunk, this.source.radii, this.source.header);
     this.isAtRest = this.isStill && this.bodies.radii.every((_, id) => this.velocity(id).every((part) => part === 0));
     document.body.classList.toggle('is-at-rest', this.isAtRest);
+    /** The time in which spheres go as far as their arrows [T]. */
+    this.arrowTime = roundUp((kArrowRadii * this.largestRadius) / (this.scales.speed || 1));
+    const times = [this.arrowTime, kTrailTimes * this.arrowTime].map((time) => `${show(time, 2)} T`);
+    element('motion-text').textContent = `An arrow is the way in ${times[0]}, a trail that of the last ${times[1]}.`;
+    element('motion').hidden = this.source.header.spheres > kFewEnoughForLines;
     this.transport.center(this.scales.playing);
     this.player.speed = this.scales.playing;
     this.plots.update(this.playback);
     this.view.resize();
     if (this.view.isSoftware && this.source.header.spheres > kManyForSoftware) this.quality.begin('points');
     this.view.fit(this.surroundings.measure(this.playback), kFirstDirection);
-    element('show-events').checked = this.source.header.spheres <= kFewEnoughForFlashes;
+    element('show-events').checked =
+      this.source.header.spheres <= kFewEnoughForFlashes && !this.player.hasMoments && !this.wantsCalm;
     this.showCellEdge();
     element('color-by').replaceChildren(...kColorBy.filter((name) => this.offersColoring(name)).map(optionOf));
     this.setColorBy(this.firstColoring());
     this.plots.resize();
+    this.link.begin().then(this.tellBegun);
+  }
+
+  /**
+   * Draws the moments of `plan`, in pictures of `size` {width, height}, and calls `take(number)` for each, which must read the
+   * picture before it waits for anything; false ends it. Then the page shows what it has shown before. Error: a picture is too
+   * large, or a chunk cannot be loaded.
+   */
+  async shoot(plan, size, take) {
+    const { player, view } = this;
+    const [pose, time, wasPlaying] = [view.pose, player.time, player.isPlaying];
+    player.pause();
+    this.isShooting = true;
+    try {
+      view.takeSize(size);
+      for (let number = 0; number < plan.count; ++number) {
+        await player.showAt(plan.timeOf(number));
+        if (plan.turn !== 0) view.place(pose);
+        if (plan.turn !== 0) view.turn(plan.angleOf(number), 0);
+        if (this.plots.update(this.playback)) this.updateColors();
+        this.spheres.forget();
+        this.drawMoment();
+        if ((await take(number)) === false) break;
+      }
+    } finally {
+      view.takeSize(null);
+      view.place(pose);
+      await player.showAt(time);
+      if (wasPlaying) player.play();
+      this.isShooting = false;
+      this.last.frame = performance.now();
+    }
   }
 
   drawMoment() {
@@ -344,6 +446,7 @@ export class Viewer {
     }
     this.bondLines.object.visible = this.hasBonds && element('show-bonds').checked;
     if (this.bondLines.object.visible) this.bondLines.update(this.playback);
+    this.updateMotion();
     uniforms.hasMarks.value = this.canTurn && element('show-spin').checked;
     uniforms.leastPixels.value = this.sizes.leastPixels * this.view.pixelRatio;
     if (followed >= 0) {
@@ -365,6 +468,24 @@ export class Viewer {
     this.scaleBar.update(this.view.lengthOfPixel);
   }
 
+  // Velocities and trails of the spheres that are drawn.
+  updateMotion() {
+    const isShown = (id, center) => this.isDrawn(id, center);
+    this.arrows.object.visible = element('show-arrows').checked;
+    if (this.arrows.object.visible) this.arrows.update(this.playback, this.arrowTime, isShown);
+    this.trails.object.visible = element('show-trails').checked;
+    if (this.trails.object.visible) this.trails.update(this.playback, kTrailTimes * this.arrowTime, isShown);
+  }
+
+  // Whether sphere `id`, whose center is at `center` [L], is drawn.
+  isDrawn(id, center) {
+    const { reach, followedCenter } = this.spheres.uniforms;
+    if (!this.slice.has(center)) return false;
+    if (reach.value === 0 || id === this.followed) return true;
+    const difference = center.map((place, axis) => place - followedCenter.value.getComponent(axis));
+    return Math.hypot(...this.box.nearestApart(difference, this.playback.time)) <= reach.value;
+  }
+
   updateTrail(center) {
     const { playback, followed, store } = this;
     const began = playback.paths[kPathNumbers * followed + 6];
@@ -372,13 +493,16 @@ export class Viewer {
     const key = `${followed} ${began} ${known} ${playback.number}`;
     if (key !== this.trailKey) {
       this.trailKey = key;
-      this.past = recentPaths(store, followed, playback.number, playback.cursor, kContactsOfTrail);
-      this.next = nextContact(store, followed, playback.number, playback.cursor);
+      const { hasMoments } = playback;
+      this.past = hasMoments
+        ? [{ numbers: playback.paths.slice(kPathNumbers * followed, kPathNumbers * (followed + 1)), until: Infinity }]
+        : recentPaths(store, followed, playback.number, playback.cursor, kContactsOfTrail);
+      this.next = hasMoments ? undefined : nextContact(store, followed, playback.number, playback.cursor);
     }
     this.trail.update(
       this.past,
       playback.time,
-      this.next?.time ?? known,
+      this.next?.time ?? (playback.hasMoments ? playback.time : known),
       center,
       this.bodies.radii[followed],
     );
@@ -410,8 +534,19 @@ export class Viewer {
     if (this.colorBy === 'contacts') range.set(0, Math.max(...this.contacts));
     if (this.colorBy === 'last contact')
       range.set(roundUp(this.scales.rate > 0 ? 1 / this.scales.rate : this.player.speed), 0);
-    this.legend.showRange(range.x, range.y, kUnits[this.colorBy], isLogarithmic);
+    if (this.fixedRange) range.set(...this.fixedRange);
+    this.legend.showRange(range.x, range.y, kUnits[this.colorBy], isLogarithmic, this.fixedRange);
     this.view.isStale = true;
+  }
+
+  // The ends of the scale of colors, as people write them.
+  get rangeShown() {
+    return this.spheres.uniforms.colorRange.value.toArray().map((end) => Number(end.toPrecision(3)));
+  }
+
+  // Whether people want little to move by itself.
+  get wantsCalm() {
+    return matchMedia('(prefers-reduced-motion: reduce)').matches;
   }
 
   // Sizes and the number of each species change as spheres merge.
@@ -451,8 +586,7 @@ export class Viewer {
   noteDomains() {
     this.domains.update(this.source.status.divisions);
     this.windowsPanel.update(this.source.status.windows, this.domains.areSeveral);
-    const isOffered = [...element('color-by').options].some(({ value }) => value === 'domain');
-    if (this.domains.areSeveral && !isOffered) element('color-by').append(optionOf('domain'));
+    if (this.domains.areSeveral && !this.colorings.includes('domain')) element('color-by').append(optionOf('domain'));
   }
 
   // Few spheres spin faster [1/T].
@@ -466,7 +600,8 @@ export class Viewer {
   // several.
   offersColoring(name) {
     if (name === 'speed') return !this.isAtRest;
-    if (name === 'collisions' || name === 'last contact') return !this.isStill;
+    if (name === 'collisions') return !this.isStill && !this.player.hasMoments;
+    if (name === 'last contact') return !this.isStill;
     if (name === 'spin') return this.canTurn;
     if (name === 'contacts') return this.contacts !== null;
     return name !== 'domain';
@@ -492,7 +627,7 @@ export class Viewer {
     if (seconds - this.last.panels > kSecondsBetweenPanels) {
       this.last.panels = seconds;
       this.spherePanel.update();
-      if (this.surroundings.widen(this.playback)) this.view.isStale = true;
+      if (this.surroundings.widen(this.playback)) this.view.span(this.surroundings.extent);
       showRunStatus(this.source, this.spheresAtStart, this.isLost);
       this.showEvents();
       this.noteDomains();
@@ -570,6 +705,7 @@ export class Viewer {
 
   setCellEdge(edge) {
     const { header } = this.source;
+    this.cellEdge = edge > 0 ? edge : null;
     if (edge > 0) this.cells = Cells.fitting(Math.max(edge, this.largestRadius / 100), this.box);
     else
       this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;
@@ -597,6 +733,15 @@ export class Viewer {
     this.approach();
   }
 
+  // Of a recording that has only moments, the page says so, and shows nothing of what is between them.
+  showMoments() {
+    const words = { back: 'Previous moment', forward: 'Next moment' };
+    for (const [id, text] of Object.entries(words)) {
+      element(id).setAttribute('aria-label', text);
+      element(id).title = `${text} (${id === 'back' ? 'P' : 'N'})`;
+    }
+  }
+
   // So slow that the followed sphere, or a typical one, takes at least four seconds to cross a cell.
   slowDown() {
     const edge = this.cells ? this.cells.edge[0] : 4 * this.largestRadius;
@@ -607,12 +752,15 @@ export class Viewer {
   listen() {
     const canvas = element('canvas');
     element('color-by').addEventListener('change', (event) => this.setColorBy(event.target.value));
+    element('fix-scale').addEventListener('change', ({ target }) => this.fixRange(target.checked ? this.rangeShown : null));
+    for (const id of ['scale-left', 'scale-right']) {
+      element(id).addEventListener('change', () => this.fixRange([number('scale-left'), number('scale-right')]));
+    }
     element('fit').addEventListener('click', () => this.fit());
-    element('screenshot').addEventListener('click', () => this.savePicture());
     element('show-cells').addEventListener('change', (event) => this.showCells(event.target.checked));
     element('cell-edge').addEventListener('change', (event) => this.setCellEdge(Number(event.target.value)));
     element('slow').addEventListener('click', () => this.slowDown());
-    const layers = ['events', 'walls', 'images', 'spin', 'forces', 'bonds'].map((name) => `show-${name}`);
+    const layers = ['events', 'walls', 'images', 'spin', 'forces', 'bonds', 'arrows', 'trails'].map((name) => `show-${name}`);
     for (const id of [...layers, 'camera-follows', 'near-only']) {
       element(id).addEventListener('change', () => (this.view.isStale = true));
     }
@@ -654,28 +802,11 @@ export class Viewer {
     const { left, top } = element('canvas').getBoundingClientRect();
     const ray = this.view.ray(clientX - left, clientY - top);
     const tolerance = (pointerType === 'touch' ? 14 : 4) * this.view.pixelTangent;
-    const middle = this.followed === null ? null : this.center(this.followed);
-    const { reach } = this.spheres.uniforms;
-    const isShown = (id, center) => {
-      if (reach.value === 0 || id === this.followed) return true;
-      const difference = center.map((place, axis) => place - middle[axis]);
-      const apart = Math.hypot(...this.box.nearestApart(difference, this.playback.time));
-      return apart <= reach.value;
-    };
+    const isShown = (id, center) => this.isDrawn(id, center);
     const leastSize = (this.sizes.leastPixels / 2) * this.view.pixelTangent;
     const options = { tolerance, leastSize, isShown, images: this.surroundings.images };
     const id = pick(this.playback, this.bodies.radii, this.box, ray, options);
     if (id >= 0) this.follow(id);
   }
 
-  savePicture() {
-    this.drawMoment();
-    element('canvas').toBlob((blob) => {
-      const link = document.createElement('a');
-      link.href = URL.createObjectURL(blob);
-      link.download = `hardball_${this.playback.time.toPrecision(6)}.png`;
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-    });
-  }
 }

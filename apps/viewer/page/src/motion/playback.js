@@ -35,6 +35,8 @@ export class Playback {
     this.collisionsAtBegin = new CollisionsAtBegin();
     /** The epoch of growth; see Chunk. */
     this.epoch = { since: 0, scale: 1, rate: 0 };
+    /** Whether chunks do not continue each other, as those of moments. */
+    this.hasMoments = false;
     /** The surfaces of the header, which motions may drive. */
     this.surfaces = [];
   }
@@ -47,7 +49,7 @@ export class Playback {
 
   /** Goes to `time` in `chunk`, which is chunk `number`. Precondition: `time` lies in it. */
   moveTo(time, chunk, number) {
-    const goesOn = number === this.number + 1 && this.chunk !== null && time >= this.time;
+    const goesOn = number === this.number + 1 && this.chunk !== null && time >= this.time && !this.hasMoments;
     if (goesOn) {
       this.pass(Infinity);
       this.collisionsAtBegin.keep(number, this.collisions);
@@ -79,6 +81,17 @@ export class Playback {
     this.number = number;
     this.cursor = 0;
     this.allTouched = true;
+  }
+
+  /** Counts collisions from the start of the recording, if all chunks until then are in memory by now; returns whether it does. */
+  recount() {
+    if (this.chunk === null || this.collisionsAtBegin.first === 0) return false;
+    for (let number = this.number - 1; number >= 0; --number) if (!this.chunkAt(number)) return false;
+    this.collisionsAtBegin = new CollisionsAtBegin();
+    this.countBefore(this.chunk, this.number);
+    for (let k = 0; k < this.cursor; ++k) if (!this.chunk.isPass(k)) this.count(this.chunk, k);
+    this.allTouched = true;
+    return true;
   }
 
   // Counts the collisions before chunk `number`: from the last chunk for which they are known, if all chunks between
@@ -137,15 +150,17 @@ export class Playback {
 
 const kBytesKept = 64 << 20;
 
-// The collisions of each sphere up to the start of chunks already passed, all counted from one time.
+// The collisions of each sphere up to the start of chunks already passed, all counted from one time, the start of chunk `first`.
 class CollisionsAtBegin {
   constructor() {
     this.kept = new Map();
     this.from = 0;
+    this.first = -1;
   }
 
   restart(number, from, collisions) {
     this.kept.clear();
+    this.first = number;
     this.from = from;
     this.keep(number, collisions);
   }

@@ -13,8 +13,13 @@ export class Player {
   constructor(source, store) {
     this.source = source;
     this.store = store;
+    /** Whether only moments are recorded, each at the begin of a chunk, and not the motion between them. */
+    this.hasMoments = source.header.moments !== undefined;
     const bodies = new Bodies(source.radii, source.masses);
     this.playback = new Playback(source.header.spheres, (number) => store.get(number), bodies);
+    this.playback.hasMoments = this.hasMoments;
+    /** The time that would be shown if all were recorded [T]. */
+    this.clock = source.header.begin;
     /** Time per second [T]. */
     this.speed = 1;
     this.isPlaying = false;
@@ -36,7 +41,7 @@ export class Player {
   }
 
   get isAtEnd() {
-    return this.time >= this.knownEnd;
+    return this.clock >= this.knownEnd;
   }
 
   play() {
@@ -54,36 +59,54 @@ export class Player {
     return new Promise((resolve) => this.waiting.push(resolve));
   }
 
+  /** Shows `time` [T], or the nearest known time, without waiting for the next frame of the page. Error: its chunk cannot be loaded. */
+  async showAt(time) {
+    const wanted = Math.min(Math.max(time, this.source.header.begin), this.knownEnd);
+    const number = this.numberAt(wanted);
+    this.store.focus(number);
+    await this.store.load(number);
+    this.wanted = wanted;
+    this.show();
+  }
+
   /** Advances by `seconds` of real time, as far as the recording is in memory. */
   advance(seconds) {
     if (this.wanted === null && this.isPlaying) {
-      const next = this.time + this.speed * Math.min(seconds, kLongestFrame);
+      const next = this.clock + this.speed * Math.min(seconds, kLongestFrame);
       this.wanted = Math.min(next, this.knownEnd);
       if (this.isAtEnd && this.source.status.finished) this.isPlaying = false;
     }
     if (this.wanted !== null) this.show();
     this.store.focus(
-      this.wanted === null ? Math.max(this.playback.number, 0) : this.store.numberAt(this.wanted),
+      this.wanted === null ? Math.max(this.playback.number, 0) : this.numberAt(this.wanted),
     );
   }
 
   show() {
     if (this.source.ends.length === 0) return;
-    const number = this.store.numberAt(this.wanted);
+    const number = this.numberAt(this.wanted);
     const chunk = this.store.get(number);
     this.isBuffering = chunk === undefined;
     if (this.isBuffering) return;
-    this.playback.moveTo(this.wanted, chunk, number);
+    this.clock = this.wanted;
+    this.playback.moveTo(this.hasMoments ? chunk.begin : this.wanted, chunk, number);
     this.wanted = null;
     for (const resolve of this.waiting.splice(0)) resolve(this.time);
   }
 
+  /** The number of the chunk that shows `time` [T]: at its end, that of a moment is over. */
+  numberAt(time) {
+    const number = this.store.numberAt(time);
+    return this.hasMoments && time >= this.source.ends[number] ? Math.min(number + 1, this.source.ends.length - 1) : number;
+  }
+
   /**
    * Shows the time of the next contact, of sphere `id` or, if that is null, of any; the end of what is known if
-   * there is none.
+   * there is none. Of moments it shows the next.
    */
   async stepForward(id = null) {
     this.pause();
+    if (this.hasMoments) return this.seek(this.playback.chunk.end);
     const { ends } = this.source;
     let number = Math.max(this.playback.number, 0);
     let from = this.playback.cursor;
@@ -100,6 +123,7 @@ export class Player {
   async stepBack(id = null) {
     this.pause();
     const time = this.time;
+    if (this.hasMoments) return this.seek((await this.store.load(Math.max(0, this.playback.number - 1))).begin);
     for (let number = this.playback.number; number >= 0; --number) {
       const chunk = await this.store.load(number);
       for (let k = chunk.contacts - 1; k >= 0; --k) {

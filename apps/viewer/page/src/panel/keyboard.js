@@ -12,6 +12,7 @@ const kFaster = 1.25;
  */
 export function keyGroups(viewer) {
   const { view } = viewer;
+  const { hasMoments } = viewer.player;
   const isShown = (id) => document.getElementById(id).getClientRects().length > 0;
   const isSpatial = !viewer.box.isFlat;
   const pan = (aside, upward) => view.pan(kPan * aside, kPan * upward);
@@ -39,7 +40,7 @@ export function keyGroups(viewer) {
       isOffered: isShown('transport'),
       bindings: [
         binding('Space', 'play, pause', { ' ': () => viewer.togglePlay() }),
-        binding('N P', 'next, previous contact; with Shift, of the followed sphere', {
+        binding('N P', hasMoments ? 'next, previous moment' : 'next, previous contact; with Shift, of the followed sphere', {
           n: (event) => viewer.step(1, event.shiftKey),
           p: (event) => viewer.step(-1, event.shiftKey),
         }),
@@ -92,7 +93,7 @@ export function listenToKeys(viewer) {
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (!actions[key] || isUsed(event)) return;
     // Esc closes the help, as the browser sees to.
-    if (viewer.help.isOpen && key !== '?') return;
+    if (viewer.shooting.isOpen || (viewer.help.isOpen && key !== '?')) return;
     event.preventDefault();
     actions[key](event);
   });

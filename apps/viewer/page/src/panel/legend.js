@@ -13,11 +13,19 @@ export class ColorLegend {
     this.numbers = document.getElementById('legend-numbers');
     this.species = document.getElementById('legend-species');
     this.bar.style.background = mapGradient();
+    this.scale = document.getElementById('scale-row');
+    this.fixed = document.getElementById('fix-scale');
+    this.ends = ['scale-left', 'scale-right'].map((id) => document.getElementById(id));
   }
 
-  /** A bar from `low` to `high`, in `unit`. */
-  showRange(low, high, unit, isLogarithmic = false) {
+  /** A bar from `low` to `high`, in `unit`; `fixed`: these ends, if they stay as they are, and otherwise null. */
+  showRange(low, high, unit, isLogarithmic = false, fixed = null) {
     this.choose('range');
+    this.fixed.checked = fixed !== null;
+    this.ends.forEach((end, k) => {
+      end.hidden = fixed === null;
+      if (fixed !== null && document.activeElement !== end) end.value = fixed[k];
+    });
     const middle = isLogarithmic ? Math.sqrt(low * high) : (low + high) / 2;
     [low, middle, high].forEach((value, k) => {
       const text = `${show(value, 3)} ${unit}`.trim();
@@ -62,7 +70,7 @@ export class ColorLegend {
   }
 
   choose(way) {
-    this.bar.hidden = this.numbers.hidden = way !== 'range';
+    this.bar.hidden = this.numbers.hidden = this.scale.hidden = way !== 'range';
     this.species.hidden = way !== 'species';
   }
 }

@@ -1,12 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 import uPlot from 'uplot';
+import { readCenter } from '../motion/path.js';
+import { kPathNumbers } from '../recording/chunk.js';
 import { summarize } from '../statistics/chunk_summary.js';
+import { Displacement } from '../statistics/displacement.js';
+import { radialDistribution } from '../statistics/pairs.js';
 import { density, findKinds, maxwellDensity, quantile, readSpeeds, roundUp } from '../statistics/speeds.js';
 
 const kHeight = 132;
 const kMostPoints = 1500;
 const kIntervals = 32;
+const kMostMilliseconds = 30; // of work at a time
 const kFewestSpheres = 20; // fewer have no distribution of speeds worth a plot
 
 /** The plots beside the picture: collision rate, speeds, and the energy where it is lost. */
@@ -45,26 +50,36 @@ export class Plots {
     document.getElementById('energy-name').textContent = energyName(header, box);
     this.histogram = masses.length >= kFewestSpheres ? histogramPlot('plot-speeds') : null;
     document.getElementById('figure-speeds').hidden = this.histogram === null;
+    const hasPairs = this.histogram !== null && !box.boundary.includes('open');
+    this.pairs = hasPairs ? linePlot('plot-pairs', 'g(r)') : null;
+    document.getElementById('figure-pairs').hidden = !hasPairs;
+    // Places in a box whose images slide say little about diffusion.
+    this.displacement = this.histogram !== null && !box.isSheared ? new Displacement(masses, box) : null;
+    this.squares = this.displacement ? timePlot('plot-displacement', ['Mean square'], ['--accent'], player) : null;
+    document.getElementById('figure-displacement').hidden = this.squares === null;
     /** Hardly any sphere is faster [L/T]. */
     this.fastest = 0;
-    /** Few spheres are faster [L/T]. */
+    /** Few spheres are faster [L/T]; changes only by much. */
     this.fast = 0;
+    /** The same, of the time shown last alone. */
+    this.fastNow = 0;
   }
 
   get all() {
-    return [this.rate, this.energy, this.histogram].filter((plot) => plot !== null);
+    return [this.rate, this.energy, this.histogram, this.pairs, this.squares].filter((plot) => plot !== null);
   }
 
   /** Adds chunk `number`. */
   add(chunk, number) {
     if (this.summaries.has(number)) return;
-    this.summaries.set(number, summarize(chunk, this.masses, this.begin, this.box.gravity));
+    this.summaries.set(number, summarize(chunk, this.masses, this.begin, this.box.gravity, this.player.hasMoments));
     this.isStale = true;
   }
 
   /** Draws what has changed up to the time of `playback`; returns whether the speeds have. */
   update(playback) {
     if (this.isStale || this.player.knownEnd !== this.knownEnd) this.drawTimes();
+    this.addDisplacement();
     this.isStale = false;
     this.knownEnd = this.player.knownEnd;
     if (playback.time === this.time) return false;
@@ -74,17 +89,26 @@ export class Plots {
     if (count === 0) return true;
     const speeds = this.speeds.subarray(0, count);
     this.fastest = steady(this.fastest, 1.15 * quantile(speeds, 0.99));
-    this.fast = steady(this.fast, quantile(speeds, 0.94));
+    const few = quantile(speeds, 0.94);
+    this.fastNow = steady(0, few);
+    this.fast = steady(this.fast, few);
     // Spheres change only where their number does: they merge.
     if (this.kinds === null || present !== this.present) this.kinds = findKinds(radii, masses).list;
     this.present = present;
     if (this.histogram) this.drawSpeeds(speeds, energy);
+    if (this.pairs) this.drawPairs(playback);
     return true;
+  }
+
+  /** Begins anew with this scale of speeds [L/T]; with that of the time shown if it is zero. */
+  restart(fast) {
+    this.fast = fast;
+    this.time = NaN;
   }
 
   /** Moves the mark of the present to `time`. */
   mark(time) {
-    for (const plot of [this.rate, this.energy]) {
+    for (const plot of [this.rate, this.energy, this.squares]) {
       if (!plot) continue;
       const { min, max } = plot.scales.x;
       const left = ((time - min) / (max - min)) * plot.over.clientWidth;
@@ -123,6 +147,36 @@ export class Plots {
     if (this.hasWalls) rates.push(column('walls'));
     this.rate.setData(rates);
     this.energy?.setData([column('time'), column('energy')]);
+  }
+
+  // As many chunks as follow each other in memory, and not for long.
+  addDisplacement() {
+    const { displacement } = this;
+    if (!displacement || this.player.hasMoments) return;
+    const begin = performance.now();
+    const before = displacement.next;
+    for (;;) {
+      const chunk = this.player.store.get(displacement.next);
+      if (!chunk || performance.now() - begin > kMostMilliseconds) break;
+      displacement.add(chunk);
+    }
+    if (displacement.next === before) return;
+    const step = Math.ceil(displacement.times.length / kMostPoints);
+    const shown = (list) => list.filter((_, k) => k % step === 0);
+    this.squares.setData([[this.begin, ...shown(displacement.times)], [0, ...shown(displacement.squares)]]);
+  }
+
+  drawPairs({ paths, time, bodies }) {
+    const centers = [];
+    let radius = 0;
+    for (let id = 0; id < this.masses.length; ++id) {
+      if (!bodies.exists(id)) continue;
+      centers.push(...readCenter(paths, kPathNumbers * id, time, this.box, [0, 0, 0]));
+      radius += bodies.radii[id];
+    }
+    const found = radialDistribution(Float64Array.from(centers), (3 * radius) / centers.length, this.box, time);
+    document.getElementById('figure-pairs').hidden = found === null;
+    if (found) this.pairs.setData(found);
   }
 
   drawSpeeds(speeds, energy) {
@@ -208,6 +262,13 @@ function timePlot(id, labels, colors, player) {
   plot.present.className = 'present';
   plot.over.append(plot.present);
   return plot;
+}
+
+function linePlot(id, label) {
+  const series = [{ label, stroke: () => property('--accent'), width: 1.5, points: { show: false } }];
+  return create(id, series, {
+    scales: { x: { time: false }, y: { range: (_, low, high) => [0, high > 0 ? 1.08 * high : 1] } },
+  });
 }
 
 function histogramPlot(id) {

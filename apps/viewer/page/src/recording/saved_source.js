@@ -27,8 +27,10 @@ export class SavedSource {
     this.masses = masses;
     this.chunks = chunks;
     this.ends = chunks.map((chunk) => chunk.end);
-    let [collisions, mergers, walls] = [0, 0, 0];
-    for (const chunk of chunks) {
+    // A recording of moments says what happened between them.
+    const { moments } = header;
+    let { collisions, mergers, walls } = moments ?? { collisions: 0, mergers: 0, walls: 0 };
+    for (const chunk of moments ? [] : chunks) {
       for (let k = 0; k < chunk.contacts; ++k) {
         if (chunk.isWall(k)) ++walls;
         else if (chunk.isCollision(k)) ++collisions;

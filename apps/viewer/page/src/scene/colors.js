@@ -56,6 +56,10 @@ function color(hexadecimal) {
 /** Kinematic spheres tend to this color. */
 export const kKinematicColor = color('8a8f98');
 
+/** Of arrows along velocities, and of trails. */
+export const kArrowColor = color('b3361a');
+export const kTrailColor = color('7d8794');
+
 /** Of bonds between spheres. */
 export const kBondColor = color('c98a1b');
 

@@ -32,6 +32,11 @@ export class Quality {
     return kWays[this.level];
   }
 
+  /** Whether there is a quality `name`. */
+  isWay(name) {
+    return kWays.some((way) => way.name === name);
+  }
+
   /** Starts with quality `name`. */
   begin(name) {
     this.choose(kWays.findIndex((way) => way.name === name));

@@ -35,6 +35,9 @@ const kMotion = /* glsl */ `
   uniform float leastPixels; // diameter of the smallest drawn, lest they vanish
   uniform float reach;       // spheres farther from the followed one are not drawn; 0: all are
 
+  uniform vec3 sliceLow;     // spheres with centers outside are not drawn
+  uniform vec3 sliceHigh;
+
   uniform bool hasMarks;     // which turn with the spheres
   uniform vec3 kinematicColor;
 
@@ -67,6 +70,7 @@ const kMotion = /* glsl */ `
 
   bool isHidden(vec3 center, int id) {
     if (kind.x == 0.0) return true; // part of another
+    if (any(lessThan(center, sliceLow)) || any(greaterThan(center, sliceHigh))) return true;
     if (reach <= 0.0 || id == followed) return false;
     vec3 apart = center - followedCenter;
     apart.x -= round(apart.y * inversePeriod.y) * slid.x;

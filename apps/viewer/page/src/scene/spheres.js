@@ -64,6 +64,8 @@ export class Spheres {
       followed: { value: -1 },
       followedCenter: { value: new Vector3() },
       reach: { value: 0 },
+      sliceLow: { value: new Vector3(-kFar, -kFar, -kFar) },
+      sliceHigh: { value: new Vector3(kFar, kFar, kFar) },
       background: { value: new Vector3() },
       haze: { value: new Vector2(0, 1) },
       pixels: { value: 1 },
@@ -114,6 +116,21 @@ export class Spheres {
     this.uniforms.elapsed.value = time - this.reference;
     this.uniforms.scale.value = playback.scale;
     this.uniforms.slid.value.set(this.box.fold(this.box.displacement(time), 0), this.box.imageSpeed);
+  }
+
+  /** Draws only spheres whose centers are between `low` and `high` along `axis` [L]; all if that is null. */
+  slice(axis, low = -kFar, high = kFar) {
+    const { sliceLow, sliceHigh } = this.uniforms;
+    sliceLow.value.setScalar(-kFar);
+    sliceHigh.value.setScalar(kFar);
+    if (axis === null) return;
+    sliceLow.value.setComponent(axis, low);
+    sliceHigh.value.setComponent(axis, high);
+  }
+
+  /** Places follow from the next moment alone, as on a page that has shown no other. */
+  forget() {
+    this.reference = NaN;
   }
 
   // Makes the time of `playback` the reference. It holds until spheres have crossed the space they occupy a few

@@ -14,6 +14,7 @@ import {
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { BoxFrame } from './box_frame.js';
 
+const kDirections = 36;
 const kNoHaze = 1e30; // a distance that nothing has
 
 /**
@@ -35,7 +36,10 @@ export class View {
     this.camera = new PerspectiveCamera(32, 1, 0.1, 1000);
     this.camera.up.set(...up);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = true;
+    // Who wants less motion moves the camera by hand alone.
+    const isCalm = matchMedia('(prefers-reduced-motion: reduce)');
+    this.controls.enableDamping = !isCalm.matches;
+    isCalm.addEventListener('change', () => (this.controls.enableDamping = !isCalm.matches));
     this.controls.dampingFactor = 0.12;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => (this.isStale = true));
@@ -51,6 +55,8 @@ export class View {
     /** Whether the picture has to be drawn again. */
     this.isStale = true;
     this.mostPixelRatio = 2;
+    /** The pixels of the picture, {width, height}, if they are not those of its element. */
+    this.size = null;
   }
 
   /** Takes over the colors of the page. */
@@ -65,22 +71,48 @@ export class View {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
+    if (this.size) return this.resizeTo(this.size, width, height);
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, this.mostPixelRatio));
     this.renderer.setSize(width, height, false);
+    this.camera.zoom = 1;
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.isStale = true;
+  }
+
+  // Lines and points are as thick as on the page, and at least what that shows is seen, on an element of `clientWidth` by
+  // `clientHeight`.
+  resizeTo({ width, height }, clientWidth, clientHeight) {
+    const scale = Math.min(width / clientWidth, height / clientHeight);
+    this.renderer.setPixelRatio(scale);
+    // Rounded down afterwards.
+    this.renderer.setSize((width + 0.01) / scale, (height + 0.01) / scale, false);
+    this.camera.zoom = Math.min(1, width / height / (clientWidth / clientHeight));
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.isStale = true;
   }
 
   /**
-   * Shows the `extent`, two corners [L], from where the camera is, or from the direction `begin`: to the right,
-   * upward, and to the front; a plane always from its front.
+   * Draws `size`, {width, height}, pixels from now on; those of the element if it is null. Error: this browser cannot draw so
+   * many.
    */
-  fit([low, high], begin = null) {
+  takeSize(size) {
+    this.size = size;
+    this.resize();
+    const { drawingBufferWidth: width, drawingBufferHeight: height } = this.renderer.getContext();
+    if (size === null || (width === size.width && height === size.height)) return;
+    throw new Error(`this browser draws no picture of ${size.width} by ${size.height} pixels`);
+  }
+
+  /**
+   * Shows the `extent`, two corners [L], from where the camera is, or from the direction `begin`: to the right,
+   * upward, and to the front; a plane always from its front. If `isTurned`, the extent is seen from all directions to which
+   * the camera can turn aside.
+   */
+  fit([low, high], begin = null, isTurned = false) {
     const from = this.isFlat ? [0, 0, 1] : begin;
-    this.frame.span(low, high);
-    const size = new Vector3(...high.map((end, axis) => end - low[axis]));
-    this.extent = size.length();
+    const size = this.span([low, high]);
     const center = new Vector3(...low).addScaledVector(size, 0.5);
     const direction = from ? new Vector3(...from) : this.camera.position.clone().sub(this.controls.target);
     if (from)
@@ -91,32 +123,47 @@ export class View {
     this.camera.lookAt(center);
     // Perspective enlarges the near side: the box is moved until it is in the middle of the picture.
     for (let round = 0; round < 4; ++round) {
-      const [distance, aside, above] = this.frameCorners(low, high);
+      const [distance, aside, above] = this.frameCorners(low, high, isTurned);
       this.controls.target.add(new Vector3(aside, above, 0).applyQuaternion(this.camera.quaternion));
       this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
     }
+    this.moved();
+  }
+
+  /** Lets frame, haze and depth reach over an extent, two corners [L]; returns its size. */
+  span([low, high]) {
+    this.frame.span(low, high);
+    const size = new Vector3(...high.map((end, axis) => end - low[axis]));
+    this.extent = size.length();
     this.controls.minDistance = 1e-4 * this.extent;
     this.controls.maxDistance = 20 * this.extent;
-    this.controls.update();
     this.isStale = true;
+    return size;
   }
 
   // The distance from its target at which the camera, in its present direction, sees all corners of a box; and by
   // how much the box would then be off the middle of the picture, sideways and upwards [L].
-  frameCorners(low, high) {
+  frameCorners(low, high, isTurned) {
     const tangent = Math.tan((this.camera.fov * Math.PI) / 360) * 0.95;
     const turn = this.camera.quaternion.clone().invert();
     const corners = Array.from({ length: 8 }, (_, corner) => {
       const place = [0, 1, 2].map((axis) => ((corner >> axis) & 1 ? high : low)[axis]);
-      return new Vector3(...place).sub(this.controls.target).applyQuaternion(turn);
+      return new Vector3(...place);
     });
-    const needed = corners.map(
+    const middle = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
+    const angles = Array.from({ length: isTurned ? kDirections : 1 }, (_, k) => (2 * Math.PI * k) / kDirections);
+    const seen = angles.flatMap((angle) =>
+      corners.map((corner) =>
+        corner.clone().sub(middle).applyAxisAngle(this.camera.up, angle).add(middle).sub(this.controls.target).applyQuaternion(turn),
+      ),
+    );
+    const needed = seen.map(
       ({ x, y, z }) => z + Math.max(Math.abs(y), Math.abs(x) / this.camera.aspect) / tangent,
     );
     const distance = Math.max(...needed);
-    const middle = (places) => (distance * (Math.min(...places) + Math.max(...places))) / 2;
-    const aside = middle(corners.map(({ x, z }) => x / (distance - z)));
-    const above = middle(corners.map(({ y, z }) => y / (distance - z)));
+    const off = (places) => (distance * (Math.min(...places) + Math.max(...places))) / 2;
+    const aside = off(seen.map(({ x, z }) => x / (distance - z)));
+    const above = off(seen.map(({ y, z }) => y / (distance - z)));
     return [distance, aside, above];
   }
 
@@ -129,6 +176,18 @@ export class View {
     this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
     this.controls.update();
     this.isStale = true;
+  }
+
+  /** Where the camera is, and what it is directed at: three numbers of each [L]. */
+  get pose() {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  /** Moves the camera to a `pose`. */
+  place(pose) {
+    this.camera.position.set(...pose.slice(0, 3));
+    this.controls.target.set(...pose.slice(3));
+    this.moved();
   }
 
   /** Moves the camera so that it is directed at `center` [L]. */

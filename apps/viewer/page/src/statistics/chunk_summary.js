@@ -10,12 +10,13 @@ const kFewestContacts = 50; // a chunk that was closed early may hold too few fo
  * What happens in a chunk, in intervals of equal length: a list of {time, collisions, walls, energy}, the rates
  * [1/T] about `time` and the energy [M L^2 T^-2] there: that of translation and rotation, and of the height under
  * `gravity` [L/T²]; kinematic spheres have none. Spheres that pass through each other do not count as a collision. `begin` [T]
- * is that of the recording.
+ * is that of the recording. Of a chunk that is a moment (`isMoment`) only the energy at its begin is known.
  * Cost: O(spheres + contacts).
  */
-export function summarize(chunk, masses, begin, gravity = [0, 0, 0]) {
+export function summarize(chunk, masses, begin, gravity = [0, 0, 0], isMoment = false) {
   const count = Math.max(1, Math.min(kMostIntervals, Math.floor(chunk.contacts / kContactsOfInterval)));
   const length = (chunk.end - chunk.begin) / count;
+  if (isMoment) return [{ time: chunk.begin, collisions: null, walls: null, energy: energyAtBegin(chunk, masses, gravity) }];
   if (!(length > 0) || (chunk.contacts < kFewestContacts && chunk.begin > begin)) return [];
 
   const spheres = masses.length;
@@ -71,6 +72,15 @@ export function summarize(chunk, masses, begin, gravity = [0, 0, 0]) {
     });
   }
   return intervals;
+}
+
+function energyAtBegin({ bodies, keyframe }, masses, gravity) {
+  return masses.reduce((energy, mass, id) => {
+    const start = kBodyNumbers * id;
+    const [radius, itsMass, moment] = bodies ? bodies.subarray(start + 7, start + 10) : [0, mass, 0];
+    const turning = bodies ? rotationalEnergy(moment * itsMass * radius ** 2, bodies, start) : 0;
+    return energy + energyOf(itsMass, keyframe, kPathNumbers * id, gravity) + turning;
+  }, 0);
 }
 
 // Between contacts it does not change. Position and velocity are in `numbers` from `start` on.
