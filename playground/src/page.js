@@ -6,7 +6,7 @@ import { Editor } from './editor.js';
 import { fragmentOf, packed, partsOf, unpacked } from './link.js';
 import { showMeasures } from './measures_table.js';
 import { countText, shown } from './numbers.js';
-import { Run } from './run.js';
+import { kMostRecordedBytes, Run } from './run.js';
 import { Sliders } from './sliders.js';
 import { missingFeatures } from './support.js';
 import { ViewerFrame } from './viewer_frame.js';
@@ -245,7 +245,7 @@ class Playground {
       if (this.run !== going) return;
       if (isAtEnd) await this.end();
       else if (!going.isEnded) this.enter('paused');
-      if (going.isFull) this.fail('The recording has 700 MB, so the run was paused. Stop it to save what there is.');
+      if (going.isFull) this.fail(`The recording has ${kMostRecordedBytes / 1e6} MB, so the run was paused. Stop it to save what there is.`);
     } catch (error) {
       if (this.run !== going) return;
       await this.end();

@@ -4,7 +4,8 @@ import { open } from '../package/index.js';
 
 /** As many contacts have a hash that is compared with the native one. */
 export const kComparedContacts = 3000;
-const kMostRecordedBytes = 7e8;
+/** A recording grows no further, since it is in memory. */
+export const kMostRecordedBytes = 4e8;
 
 /** One run of a scenario, from its start to its end. */
 export class Run {

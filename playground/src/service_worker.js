@@ -30,8 +30,13 @@ async function forgetOthers() {
 }
 
 async function answer(request, path) {
-  const cache = await caches.open(kCache);
-  return (await cache.match(keyOf(path))) ?? fetch(request);
+  try {
+    return await fetch(request);
+  } catch (offline) {
+    const kept = await (await caches.open(kCache)).match(keyOf(path));
+    if (kept) return kept;
+    throw offline;
+  }
 }
 
 self.addEventListener('install', (event) => event.waitUntil(keepAll()));
