@@ -34,7 +34,7 @@ function save(name, content, type) {
 
 /** The whole page: what is edited, and the run of it. */
 class Playground {
-  constructor({ scenarios, lessons, files, schema, parts }) {
+  constructor({ scenarios, lessons, files, schema }) {
     this.scenarios = new Map(scenarios.map((scenario) => [scenario.name, scenario]));
     this.lessons = new Map(lessons.map((lesson) => [lesson.name, lesson]));
     this.dataFiles = files;
@@ -43,7 +43,7 @@ class Playground {
     this.checks = new Checks(this.wasm);
     this.editor = new Editor(element('editor'), schema, { onChange: (isByUser) => this.change(isByUser), onRun: () => this.toggleRun() });
     this.sliders = new Sliders(element('sliders'), schema, this.editor);
-    this.viewer = new ViewerFrame(element('viewer'), parts.v ?? '');
+    this.viewer = new ViewerFrame(element('viewer'));
     /** The scenario or lesson that was chosen: {name, text, hash}, without a hash if it has none. */
     this.chosen = null;
     this.run = null;
@@ -80,8 +80,9 @@ class Playground {
   }
 
   /** Opens a scenario or a lesson of the playground, or one from a link, which has a name and a text. */
-  open(chosen, { until } = {}) {
+  open(chosen, { until, v = '' } = {}) {
     this.discard();
+    this.viewer.beginWith(v);
     this.chosen = chosen;
     const { kind } = this;
     element('scenario').value = kind === 'scenario' ? chosen.name : '';
@@ -428,7 +429,7 @@ async function begin() {
   }
   const [library, schema] = await Promise.all([json('library.json'), json('scenario.schema.json')]);
   const parts = partsOf(location.hash);
-  window.playground = new Playground({ ...library, schema, parts });
+  window.playground = new Playground({ ...library, schema });
   await window.playground.openParts(parts);
   navigator.serviceWorker?.register('service_worker.js');
 }

@@ -1,18 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-const kPatience = 100; // ms between looks at whether the viewer is ready
+// What the next run has in common with the one that is shown, of a state that the viewer has in its address.
+function withoutTime(state) {
+  const parts = new URLSearchParams(state);
+  for (const name of ['t', 'play']) parts.delete(name);
+  return String(parts);
+}
 
 /** The page of the viewer in a frame, fed by a run. */
 export class ViewerFrame {
-  /** `state`: how the viewer begins, as its address has it. */
-  constructor(parent, state = '') {
+  constructor(parent) {
     this.parent = parent;
-    this.state = state;
+    this.state = '';
     this.frame = null;
     addEventListener('message', ({ data, source }) => {
       if (data === 'hardball-ready' && source === this.frame?.contentWindow) this.feed();
     });
+  }
+
+  /** Has the next run shown with this state, as the viewer has it in its address. */
+  beginWith(state) {
+    this.state = withoutTime(state);
   }
 
   /** Shows the recording of a run, with the camera of the one before. */
@@ -21,7 +30,9 @@ export class ViewerFrame {
     this.run = run;
     this.frame = document.createElement('iframe');
     this.frame.title = 'The spheres, moving';
-    this.frame.src = `view/index.html?source=port${this.state ? `#${this.state}` : ''}`;
+    const state = new URLSearchParams(this.state);
+    if (!matchMedia('(prefers-reduced-motion: reduce)').matches) state.set('play', '1');
+    this.frame.src = `view/index.html?source=port#${state}`;
     this.parent.append(this.frame);
   }
 
@@ -34,25 +45,13 @@ export class ViewerFrame {
 
   /** How the viewer looks now, as its address has it. */
   get viewState() {
-    try {
-      return this.frame.contentWindow.location.hash.slice(1) || this.state;
-    } catch {
-      return this.state;
-    }
+    const { protocol, hash } = this.frame?.contentWindow.location ?? {};
+    return hash && protocol !== 'about:' ? withoutTime(hash.slice(1)) : this.state;
   }
 
   feed() {
     const { port1, port2 } = new MessageChannel();
-    const { frame } = this;
     this.run.serve(port1).catch(() => {}); // if the run was closed meanwhile
-    frame.contentWindow.postMessage('hardball-source', location.origin, [port2]);
-    if (!matchMedia('(prefers-reduced-motion: reduce)').matches) this.playWhenReady(frame);
-  }
-
-  playWhenReady(frame) {
-    if (this.frame !== frame) return;
-    const viewer = frame.contentWindow.hardball;
-    if (viewer?.state().isReady) viewer.play();
-    else setTimeout(() => this.playWhenReady(frame), kPatience);
+    this.frame.contentWindow.postMessage('hardball-source', location.origin, [port2]);
   }
 }

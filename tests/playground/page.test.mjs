@@ -282,6 +282,27 @@ test('a link has the whole scenario', async () => {
   await close(third);
 });
 
+test('the viewer plays at once, and looks as it did before and as a link says', async () => {
+  const page = await openPlayground('#scenario=newtons_cradle&v=color%3Dlast%2Bcontact');
+  await page.click('#run');
+  const viewer = await viewerOf(page);
+  await viewer.waitForFunction(() => window.hardball.state().isPlaying && window.hardball.state().time > 0);
+  assert.equal((await viewer.evaluate(() => window.hardball.state())).colorBy, 'last contact');
+  await viewer.selectOption('#color-by', 'collisions');
+  await viewer.waitForFunction(() => location.hash.includes('color=collisions'));
+  await page.click('#share');
+  assert.match(decodeURIComponent(await page.inputValue('#address')), /v=.*color=collisions/);
+  await page.click('#link .close');
+  await runToEnd(page);
+  const next = await viewerOf(page);
+  await next.waitForFunction(() => window.hardball.state().colorBy === 'collisions');
+  await page.selectOption('#scenario', 'two_spheres');
+  await runToEnd(page);
+  const other = await viewerOf(page);
+  assert.notEqual((await other.evaluate(() => window.hardball.state())).colorBy, 'collisions');
+  await close(page);
+});
+
 test('on a phone, parts are shown one at a time, and nothing is wider than the screen', async () => {
   const page = await openPlayground('#scenario=newtons_cradle', { width: 360, height: 640, pixelRatio: 2 });
   const isWide = () => page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
