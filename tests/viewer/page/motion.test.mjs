@@ -103,6 +103,27 @@ test('velocities and trails of all spheres', async () => {
   );
 });
 
+test('colors by energy and by neighbors follow the time', async () => {
+  await withRecording(
+    kGas,
+    async (page) => {
+      const pictures = new Set();
+      for (const name of ['energy', 'neighbors'])
+        for (const time of [1, 3]) {
+          await page.selectOption('#color-by', name);
+          await setTime(page, time);
+          await page.waitForTimeout(700);
+          pictures.add((await page.locator('#canvas').screenshot()).toString('base64'));
+          const ends = await page.locator('#legend-numbers span').allTextContents();
+          if (name === 'energy') assert.match(ends[2], /^[\d.]+ M L² T⁻²$/);
+          else assert.ok(Number.isInteger(Number(ends[2])) && Number(ends[2]) >= 1, ends[2]);
+        }
+      assert.equal(pictures.size, 4);
+    },
+    kWindow,
+  );
+});
+
 test('the plots show pairs and displacements', async () => {
   await withRecording(
     kGas,

@@ -59,7 +59,7 @@ async function examine(page, options) {
   const { forces, spheres, colorBy } = await state(page);
   assert.deepEqual(await visible(page, [...kOfTime, ...kOfMotion]), []);
   assert.equal(await page.isVisible('#screenshot'), true);
-  assert.deepEqual(await colorings(page), ['Size', 'Species', ...(hasForces ? ['Contacts'] : [])]);
+  assert.deepEqual(await colorings(page), ['Size', 'Species', ...(hasForces ? ['Contacts'] : []), 'Neighbors']);
   assert.equal(await page.inputValue('#color-by'), colorBy);
   const isFlat = options.includes('2');
   assert.deepEqual(await keys(page), [
@@ -120,7 +120,7 @@ for (const [until, hasTime] of [
         assert.deepEqual(await visible(page, kOfTime), hasTime ? kOfTime : []);
         assert.deepEqual(await visible(page, kOfMotion), kOfMotion);
         const ofTime = hasTime ? ['Collisions', 'Last contact'] : [];
-        assert.deepEqual(await colorings(page), ['Speed', 'Size', 'Species', ...ofTime]);
+        assert.deepEqual(await colorings(page), ['Speed', 'Size', 'Species', ...ofTime, 'Energy', 'Neighbors']);
         assert.equal((await keys(page)).includes('Space'), hasTime);
         await page.keyboard.press(' ');
         assert.equal((await state(page)).isPlaying, hasTime);

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Box } from '../../../apps/viewer/page/src/motion/box.js';
 import { readRecording } from '../../../apps/viewer/page/src/recording/recording_file.js';
+import { countNeighbors } from '../../../apps/viewer/page/src/statistics/neighbors.js';
 import { Displacement } from '../../../apps/viewer/page/src/statistics/displacement.js';
 import { radialDistribution } from '../../../apps/viewer/page/src/statistics/pairs.js';
 import { randomSpheres, recordSmallGas } from '../support/small_gas.mjs';
@@ -86,4 +87,29 @@ test('the displacement counts each box that is crossed', () => {
   assert.equal(displacement.times.at(-1), 12);
   assert.ok(Math.abs(displacement.squares.at(-1) / (sum / 27) - 1) < 1e-6, `${displacement.squares.at(-1)} and ${sum / 27}`);
   assert.ok(displacement.squares.at(-1) > 9);
+});
+
+test('neighbors are found as by comparing all pairs', () => {
+  const random = randomNumbers();
+  for (const box of [
+    kPeriodic,
+    new Box({ size: [10, 10, 10], boundary: ['wall', 'open', 'periodic'] }),
+    new Box({ size: [10, 10, 0], boundary: ['periodic', 'periodic', 'flat'] }),
+    new Box({ size: [10, 10, 10], boundary: ['periodic', 'periodic', 'periodic'], shear_rate: 0.3 }),
+    new Box({ size: [2, 2, 2], boundary: ['periodic', 'periodic', 'periodic'] }),
+  ]) {
+    const count = 300;
+    const edge = box.size[0];
+    const radii = Float64Array.from({ length: count }, (_, id) => (id % 17 === 0 ? 0 : 0.02 * edge * (1 + random())));
+    const centers = Float64Array.from({ length: 3 * count }, (_, k) => (box.isFlat && k % 3 === 2 ? 0 : edge * random()));
+    const expected = new Uint16Array(count);
+    for (let id = 0; id < count; ++id)
+      for (let other = 0; other < count; ++other) {
+        if (other === id || radii[id] === 0 || radii[other] === 0) continue;
+        const apart = [0, 1, 2].map((axis) => centers[3 * other + axis] - centers[3 * id + axis]);
+        if (Math.hypot(...box.nearestApart(apart, 2)) <= 1.2 * (radii[id] + radii[other])) ++expected[id];
+      }
+    assert.deepEqual(countNeighbors(centers, radii, box, 2), expected);
+    assert.ok(expected.reduce((sum, value) => sum + value, 0) > 50);
+  }
 });

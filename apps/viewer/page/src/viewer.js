@@ -32,10 +32,11 @@ import { ForceLines } from './scene/force_lines.js';
 import { pick } from './scene/pick.js';
 import { Quality } from './scene/quality.js';
 import { Trails, VelocityArrows } from './scene/motion_lines.js';
-import { kColorBy, Spheres } from './scene/spheres.js';
+import { kColorBy, kMeasured, Spheres } from './scene/spheres.js';
 import { NeighborQuery } from './scene/surroundings.js';
 import { Trail } from './scene/trail.js';
 import { View } from './scene/view.js';
+import { countNeighbors } from './statistics/neighbors.js';
 import { Sizes } from './statistics/sizes.js';
 import { findKinds, quantile, readSpecies, roundUp } from './statistics/speeds.js';
 
@@ -43,6 +44,7 @@ const kFewEnoughForFlashes = 3000; // spheres; with more, contacts would hide ev
 const kFlashSeconds = 0.6; // how long a flash lasts while playing
 const kManyForSoftware = 2000; // spheres; with more, an emulated graphics card draws points from the start
 const kContactsOfTrail = 24;
+const kFewEnoughForNeighbors = 100_000; // spheres
 const kFewEnoughForLines = 20_000; // spheres; with more, arrows and trails would hide each other
 const kArrowRadii = 2.5; // length of the arrow of a typical sphere
 const kTrailTimes = 3; // as long in time as arrows
@@ -53,7 +55,8 @@ const kFirstDirection = [0.62, 0.42, 1]; // of the camera: to the right, upward,
 const kPollSeconds = 0.7;
 const kRetrySeconds = 2;
 
-const kUnits = { speed: 'L T⁻¹', size: 'L', spin: 'T⁻¹', collisions: '', contacts: '', 'last contact': 'T' }; // of colorings
+// Of colorings, where numbers have one.
+const kUnits = { speed: 'L T⁻¹', size: 'L', spin: 'T⁻¹', 'last contact': 'T', energy: 'M L² T⁻²' };
 
 const element = (id) => document.getElementById(id);
 const number = (id) => Number(element(id).value);
@@ -283,6 +286,9 @@ export class Viewer {
     if (name === 'domain') this.showDomains();
     if (name !== this.colorBy) this.fixedRange = null; // it has other units
     this.colorBy = name;
+    this.spheres.measured = null;
+    this.spheres.forget();
+    if (this.playback.chunk) this.measure();
     this.view.isStale = true;
     if (this.scales) this.updateColors();
   }
@@ -434,6 +440,7 @@ export class Viewer {
     const { uniforms } = this.spheres;
     const followed = this.followed ?? -1;
     const window = kFlashSeconds * this.player.speed;
+    this.measure();
     this.spheres.divide(this.domains.at(this.playback.time));
     this.spheres.update(this.playback);
     this.largestRadius = this.surroundings.largestRadius = this.playback.scale * this.sizes.largest;
@@ -466,6 +473,21 @@ export class Viewer {
     uniforms.fromCamera.value.setFromMatrix4(this.view.camera.matrixWorld);
     this.view.render();
     this.scaleBar.update(this.view.lengthOfPixel);
+  }
+
+  // What spheres are colored by, if it is measured for each picture.
+  measure() {
+    if (!kMeasured.includes(this.colorBy)) return;
+    const { bodies, playback, box } = this;
+    if (this.colorBy === 'energy') {
+      const energy = (id) => (bodies.isKinematic(id) ? 0 : (bodies.masses[id] * Math.hypot(...this.velocity(id)) ** 2) / 2);
+      this.spheres.measured = Float64Array.from(bodies.radii, (radius, id) => (radius > 0 ? energy(id) : 0));
+    } else {
+      const centers = Float64Array.from({ length: 3 * bodies.radii.length });
+      for (let id = 0; id < bodies.radii.length; ++id) if (bodies.exists(id)) centers.set(this.center(id), 3 * id);
+      this.spheres.measured = countNeighbors(centers, bodies.radii, box, playback.time);
+    }
+    this.spheres.forget();
   }
 
   // Velocities and trails of the spheres that are drawn.
@@ -531,11 +553,13 @@ export class Viewer {
     if (this.colorBy === 'spin') range.set(0, this.typicalSpin());
     if (this.colorBy === 'collisions')
       range.set(0, Math.max(4, roundUp(quantile(this.playback.collisions, 0.99))));
+    if (this.colorBy === 'energy') range.set(0, roundUp(quantile(this.spheres.measured, 0.94)));
+    if (this.colorBy === 'neighbors') range.set(0, Math.max(1, quantile(this.spheres.measured, 1)));
     if (this.colorBy === 'contacts') range.set(0, Math.max(...this.contacts));
     if (this.colorBy === 'last contact')
       range.set(roundUp(this.scales.rate > 0 ? 1 / this.scales.rate : this.player.speed), 0);
     if (this.fixedRange) range.set(...this.fixedRange);
-    this.legend.showRange(range.x, range.y, kUnits[this.colorBy], isLogarithmic, this.fixedRange);
+    this.legend.showRange(range.x, range.y, kUnits[this.colorBy] ?? '', isLogarithmic, this.fixedRange);
     this.view.isStale = true;
   }
 
@@ -599,7 +623,8 @@ export class Viewer {
   // Whether spheres of this recording can differ in what the coloring shows. Domains are offered once there are
   // several.
   offersColoring(name) {
-    if (name === 'speed') return !this.isAtRest;
+    if (name === 'speed' || name === 'energy') return !this.isAtRest;
+    if (name === 'neighbors') return this.source.header.spheres <= kFewEnoughForNeighbors;
     if (name === 'collisions') return !this.isStill && !this.player.hasMoments;
     if (name === 'last contact') return !this.isStill;
     if (name === 'spin') return this.canTurn;

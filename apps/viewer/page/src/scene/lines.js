@@ -9,7 +9,7 @@ const kVertex = /* glsl */ `
   in vec3 position;          // across the line, from -1 to 1; along it, from 0 to 1; zero
   in vec3 begin;
   in vec3 end;
-  in vec2 style;             // half the width, and the place in the color map, from 0 to 1
+  in vec2 style;             // half the width, negative where it tapers to a point, and the place in the color map, from 0 to 1
   uniform bool isFlat;
   uniform sampler2D colorMap;
   uniform mat4 projectionMatrix;
@@ -24,7 +24,8 @@ const kVertex = /* glsl */ `
     vec3 place = mix(from, to, position.y);
     vec3 side = cross(to - from, isFlat ? vec3(0.0, 0.0, 1.0) : place);
     float size = length(side);
-    if (size > 0.0) place += position.x * style.x / size * side;
+    float halfWidth = style.x < 0.0 ? -style.x * (1.0 - position.y) : style.x;
+    if (size > 0.0) place += position.x * halfWidth / size * side;
     across = position.x;
     distance = -place.z;
     float colors = float(textureSize(colorMap, 0).x);
@@ -85,7 +86,7 @@ export class Lines {
     this.geometry.instanceCount = 0;
   }
 
-  /** Adds a line between two points [L], `share` of the way along the map of colors. */
+  /** Adds a line between two points [L], `share` of the way along the map of colors; it tapers if the width is negative. */
   add(begin, end, halfWidth, share) {
     const { attributes } = this.geometry;
     const line = this.geometry.instanceCount++;

@@ -7,9 +7,9 @@ import { Lines } from './lines.js';
 
 const kMostLines = 60_000;
 const kShaft = 0.12; // half its width, in radii of the sphere
-const kHead = 2.4; // times the shaft
+const kHead = 3; // times the shaft
 const kHeadShare = 0.3; // of the length of an arrow
-const kTrail = 0.16; // half its width, in radii
+const kTrail = 0.1; // half its width, in radii
 
 /** An arrow for the velocity of each sphere: the way that it would go in some time. */
 export class VelocityArrows {
@@ -34,7 +34,7 @@ export class VelocityArrows {
       const at = (share) => center.map((place, axis) => place + share * way[axis]);
       const width = kShaft * this.bodies.radii[id];
       this.lines.add(center, at(1 - kHeadShare), width, 0);
-      this.lines.add(at(1 - kHeadShare), at(1), kHead * width, 0);
+      this.lines.add(at(1 - kHeadShare), at(1), -kHead * width, 0);
     }
     this.lines.show();
   }

@@ -31,11 +31,11 @@ export class SphereImages {
     this.capacity = 0;
   }
 
-  /** Shows `images` at the time of `playback`. */
-  update(images, playback) {
+  /** Shows `images` at the time of `playback`; `numbers`: by id, as Spheres.numbersOf. */
+  update(images, playback, numbers) {
     if (images.count > this.capacity) this.make(images.ids.length);
     if (!this.drawn) return;
-    const { paths, time, collisions, bodies } = playback;
+    const { paths, time, bodies } = playback;
     const { array } = this.drawn.buffer;
     const kinds = this.drawn.kinds.array;
     for (let k = 0; k < images.count; ++k) {
@@ -47,7 +47,7 @@ export class SphereImages {
         array[to + 4 + axis] = this.velocity[axis];
       }
       array[to + 3] = paths[kPathNumbers * id + 6] - time;
-      array[to + 7] = collisions[id];
+      array[to + 7] = numbers[id];
       if (this.canTurn) {
         const turn = kTurnNumbers * k;
         this.drawn.turns.array.set(bodies.spin(id), turn);

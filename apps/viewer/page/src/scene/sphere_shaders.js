@@ -7,7 +7,7 @@ const kMotion = /* glsl */ `
   precision highp int;
 
   in vec4 place;      // center at the reference time, and the path's start relative to it
-  in vec4 motion;     // velocity at the reference time, and the collisions so far, or the contacts of a sphere at rest
+  in vec4 motion;     // velocity at the reference time, and the collisions so far, or another number to be shown
   in vec3 kind;       // radius without growth, species, and 1 for a kinematic sphere
   in vec3 spin;
   in vec4 turn;       // orientation at the reference time: a quaternion, the real part last
@@ -105,7 +105,7 @@ const kMotion = /* glsl */ `
     if (colorBy == 2) return texelFetch(speciesColors, ivec2(int(kind.y), 0), 0).rgb;
     float value = colorBy == 0 ? length(motion.xyz + elapsed * gravity - vec3(above * slid.y, 0.0, 0.0))
                 : colorBy == 1 ? kind.x
-                : colorBy == 3 || colorBy == 7 ? motion.w
+                : colorBy == 3 || colorBy >= 7 ? motion.w
                 : colorBy == 5 ? length(spin)
                 : elapsed - place.w;
     float share = colorIsLogarithmic ? log(value / colorRange.x) / log(colorRange.y / colorRange.x)

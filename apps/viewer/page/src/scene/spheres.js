@@ -11,7 +11,10 @@ const kBlock = 256; // spheres sent to the graphics card together
 const kFar = 1e30; // instead of infinity, which shaders need not know [L]
 
 /** What spheres can be colored by, in the order in which the shader knows them. */
-export const kColorBy = ['speed', 'size', 'species', 'collisions', 'last contact', 'spin', 'domain', 'contacts'];
+export const kColorBy = ['speed', 'size', 'species', 'collisions', 'last contact', 'spin', 'domain', 'contacts', 'energy', 'neighbors'];
+
+/** Those of them that are measured anew for each picture. */
+export const kMeasured = ['energy', 'neighbors'];
 
 /**
  * All spheres, drawn by the graphics card. It gets each path once, relative to a reference time, and moves the
@@ -25,6 +28,8 @@ export class Spheres {
   constructor(bodies, species, box, canTurn, contacts) {
     this.bodies = bodies;
     this.contacts = contacts;
+    /** By id: what spheres are colored by, if it is measured for each picture; otherwise null. */
+    this.measured = null;
     this.count = bodies.radii.length;
     this.paths = new Float32Array(kNumbers * this.count);
     this.kinds = new Float32Array(kKindNumbers * this.count);
@@ -118,6 +123,11 @@ export class Spheres {
     this.uniforms.slid.value.set(this.box.fold(this.box.displacement(time), 0), this.box.imageSpeed);
   }
 
+  /** By id, the number that a coloring shows: the collisions, unless it is another. */
+  numbersOf(collisions) {
+    return this.measured ?? this.contacts ?? collisions;
+  }
+
   /** Draws only spheres whose centers are between `low` and `high` along `axis` [L]; all if that is null. */
   slice(axis, low = -kFar, high = kFar) {
     const { sliceLow, sliceHigh } = this.uniforms;
@@ -167,7 +177,7 @@ export class Spheres {
     this.paths[to + 4] -= this.box.layersAbove(this.center[1]) * this.box.imageSpeed;
     this.paths.set(this.box.foldPoint(this.center, this.reference), to);
     this.paths[to + 3] = -elapsed;
-    this.paths[to + 7] = (this.contacts ?? collisions)[id];
+    this.paths[to + 7] = this.numbersOf(collisions)[id];
     if (this.turns) this.storeBody(id, elapsed);
   }
 

@@ -45,6 +45,6 @@ export class NeighborQuery {
     this.layer.update(playback.time, this.extent);
     if (images) this.images.update(playback);
     else this.images.clear();
-    this.spheres.images.update(this.images, playback);
+    this.spheres.images.update(this.images, playback, this.spheres.numbersOf(playback.collisions));
   }
 }
