@@ -144,10 +144,9 @@ class Encounter {
   // and to begin an overlap in that time.
   double contact_with_face_between(std::uint32_t triangle, double begin, double end) const {
     const Face face = this->face(triangle);
-    for (const int side : {1, -1}) {
-      for (const Descents::Interval& closing : descents(gap_to_face(face, side))) {
-        if (closing.begin >= begin && closing.begin <= end) return closing.begin;
-      }
+    // On the side of its center: on the other it overlaps all the time.
+    for (const Descents::Interval& closing : descents(gap_to_face(face, is_above(face, begin) ? 1 : -1))) {
+      if (closing.begin >= begin && closing.begin <= end) return closing.begin;
     }
     return contact_with_face(triangle);
   }

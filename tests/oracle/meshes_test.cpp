@@ -413,6 +413,34 @@ TEST(Tetrahedron, FromWithinIsFourPlanes) {
   }
 }
 
+// A face on either side of a sphere that grows or shrinks, and touches it at once or in no time.
+TEST(Faces, AreTouchedOnTheSideOfTheSphere) {
+  Random random(5);
+  for (std::uint64_t k = 0; k < support::cases(2000); ++k) {
+    const bool is_turned = random.uniform() < 0.5;
+    const auto mesh = std::make_shared<const Mesh>(
+        MeshParts{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
+                  {is_turned ? MeshParts::Triangle{0, 2, 1} : MeshParts::Triangle{0, 1, 2}},
+                  {},
+                  {}});
+    const double side = random.uniform() < 0.5 ? 1 : -1;
+    const double radius = 0.1 + 0.4 * random.uniform();
+    const double gap = radius * std::pow(10.0, -13 + 6 * random.uniform());
+    const double speed = 0.5 + random.uniform();
+    const double rate = (random.uniform() - 0.3) / radius;
+    Motion motion;
+    motion.set_growth({Time(0), Time(100), 1, rate});
+    const Path path{{1, 1, side * (radius + gap)}, {0.3, -0.2, -side * speed}, Time(0)};
+    const Surface surface(MeshShape(mesh), {});
+    const SurfaceContact found = surface.first_contact(motion, path, radius, Time(0), 100);
+    const double expected = gap / (speed + rate * radius);
+    EXPECT_NEAR(found.time.high, expected, 1e-3 * expected + 1e-15) << k;
+    EXPECT_EQ(found.feature, 0U);
+    // The same in a search that ends with it.
+    EXPECT_EQ(surface.first_contact(motion, path, radius, Time(0), found.time.high).time, found.time) << k;
+  }
+}
+
 // What is done to a mesh and the path of a sphere alike leaves the contacts as they are.
 TEST(Contacts, AreTheSameRenumberedMirroredTurnedAndScaled) {
   std::size_t compared = 0;
