@@ -32,7 +32,7 @@ double magnitude(const Vec3& vector) {
   return std::max({std::fabs(vector.x), std::fabs(vector.y), std::fabs(vector.z)});
 }
 
-// Infinite or NaN if it is not known.
+// NaN of what is no plane, and of a plane that the box does not bound.
 double area_of_plane(const World& world, std::uint32_t number) {
   const auto* const plane = std::get_if<Plane>(&world.surface(number).shape());
   const double area = plane ? plane->area(world.box()) : std::numeric_limits<double>::quiet_NaN();

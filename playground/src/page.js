@@ -427,9 +427,9 @@ async function begin() {
     element('alert').textContent = `This browser lacks ${missing.join(', ')}. A current Firefox, Chrome, Edge or Safari has it.`;
     return;
   }
-  const [library, schema] = await Promise.all([json('library.json'), json('scenario.schema.json')]);
+  const [offered, schema] = await Promise.all([json('library.json'), json('scenario.schema.json')]);
   const parts = partsOf(location.hash);
-  window.playground = new Playground({ ...library, schema });
+  window.playground = new Playground({ ...offered, schema });
   await window.playground.openParts(parts);
   navigator.serviceWorker?.register('service_worker.js');
 }

@@ -70,7 +70,7 @@ TEST(ExtentTree, LeavesOutWhatIsFarAway) {
     const Vec3 place = random_point(random, {10, 10, 10});
     tree.for_each_in(Extent{place, place}.grown(0.4), [&](std::uint32_t) { ++visits; });
   }
-  // A cube of edge 1, grown by a little more than .1, holds less than two in a thousand.
+  // Of the thousand one is in the cube of edge 1 where an item is near enough.
   EXPECT_LT(visits, support::cases(300) * 2);
 }
 
