@@ -186,7 +186,7 @@ std::string state_in(const std::string& view) {
 }
 
 // Error (RunFailure): the film is not complete.
-void await(const viewer::Film& film, platform::HelperProgram& browser, const viewer::FilmOrder& order,
+void await(const viewer::Film& film, platform::ChildProgram& browser, const viewer::FilmOrder& order,
            bool quiet) {
   using namespace std::chrono_literals;
   StatusLine line(!quiet);
@@ -232,7 +232,7 @@ ExitCode film(const FilmOptions& options) {
   {
     const viewer::Server server(shown.recording(), viewer::built_page(), 0, {}, &film);
     const Profile profile;
-    platform::HelperProgram browser(
+    platform::ChildProgram browser(
         program, browser_arguments(profile, server.url() + "&film=1#" + state_in(options.view)));
     if (!browser.is_running()) throw RunFailure("cannot start " + program.string());
     await(film, browser, order, options.run.quiet);

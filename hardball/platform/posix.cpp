@@ -335,10 +335,10 @@ std::filesystem::path find_program(const std::vector<std::string_view>& names) {
   return {};
 }
 
-HelperProgram::HelperProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments)
+ChildProgram::ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments)
     : process_(start_program(program.string(), arguments)), group_(process_) {}
 
-HelperProgram::~HelperProgram() {
+ChildProgram::~ChildProgram() {
   if (group_ == 0) return;
   constexpr int kPatience = 100;
   const timespec moment{0, 20'000'000};
@@ -349,7 +349,7 @@ HelperProgram::~HelperProgram() {
   if (process_ != 0) waitpid(static_cast<pid_t>(process_), nullptr, 0);
 }
 
-bool HelperProgram::is_running() {
+bool ChildProgram::is_running() {
   if (process_ == 0) return false;
   if (waitpid(static_cast<pid_t>(process_), nullptr, WNOHANG) != 0) process_ = 0;
   return process_ != 0;

@@ -45,14 +45,14 @@ void open_browser(const std::string& url);
 std::filesystem::path find_program(const std::vector<std::string_view>& names);
 
 /// Another program that runs beside this one, without input, output and messages.
-class HelperProgram {
+class ChildProgram {
  public:
   /// Starts it: its file, and its arguments. If that is impossible, it does not run.
-  HelperProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments);
   /// Ends it, with all that it has started.
-  ~HelperProgram();
-  HelperProgram(const HelperProgram&) = delete;
-  HelperProgram& operator=(const HelperProgram&) = delete;
+  ~ChildProgram();
+  ChildProgram(const ChildProgram&) = delete;
+  ChildProgram& operator=(const ChildProgram&) = delete;
 
   bool is_running();
 

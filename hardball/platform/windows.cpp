@@ -318,8 +318,7 @@ std::filesystem::path find_program(const std::vector<std::string_view>& names) {
   return {};
 }
 
-HelperProgram::HelperProgram(const std::filesystem::path& program,
-                             const std::vector<std::string>& arguments) {
+ChildProgram::ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
   // None of the arguments ends with a backslash or has quotation marks.
   std::wstring line = L"\"" + program.wstring() + L"\"";
   for (const std::string& argument : arguments)
@@ -342,12 +341,12 @@ HelperProgram::HelperProgram(const std::filesystem::path& program,
   group_ = reinterpret_cast<std::intptr_t>(job);
 }
 
-HelperProgram::~HelperProgram() {
+ChildProgram::~ChildProgram() {
   if (group_ != 0) CloseHandle(reinterpret_cast<HANDLE>(group_));
   if (process_ != 0) CloseHandle(reinterpret_cast<HANDLE>(process_));
 }
 
-bool HelperProgram::is_running() {
+bool ChildProgram::is_running() {
   return process_ != 0 && WaitForSingleObject(reinterpret_cast<HANDLE>(process_), 0) == WAIT_TIMEOUT;
 }
 
