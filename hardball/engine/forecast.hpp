@@ -265,7 +265,7 @@ class Forecast {
     if (!are_alike_) world_.prefetch_size(slot);
     compact_.prefetch(slot);
     phase_->prefetch_line(slot);
-    if (slot < clear_balls_.size()) prefetch(&clear_balls_[slot]);
+    prefetch_clear_ball(slot);
     if (phase_->has_more_data()) phase_.visit([&](const auto& phase) { phase.prefetch_more(slot); });
   }
 
@@ -289,6 +289,7 @@ class Forecast {
 
   // Collects the candidates of a sphere, and apart from them those that are inside of a step with it.
   HARDBALL_ALWAYS_INLINE void collect(Slot slot, Candidates& candidates, StepCandidates& pairs) const {
+    prefetch_clear_ball(slot);
     phase_.visit([&](const auto& phase) { phase.collect(world_, slot, candidates); });
     if (has_excluded_) [[unlikely]]
       exclude(candidates, pairs);
@@ -387,6 +388,9 @@ class Forecast {
     }
   }
 
+  void prefetch_clear_ball(Slot slot) const {
+    if (slot < clear_balls_.size()) prefetch(&clear_balls_[slot]);
+  }
   // Whether a sphere certainly touches no solid until another time, as the ball around it that is clear of
   // them says. A ball is renewed when the sphere has moved on.
   bool is_clear_of_solids(Slot slot, double until) {
@@ -416,6 +420,7 @@ class Forecast {
   }
 
   void plan_crossing(Slot slot) {
+    prefetch_clear_ball(slot);
     phase_.visit([&](auto& phase) {
       mutable_plan(slot).set_crossing(phase.next_crossing(world_, slot, now_, compact_));
     });
@@ -474,7 +479,7 @@ class Forecast {
   bool has_walls_ = false;
   // A point, and how far from it there is no solid [L]: true of any sphere. Nothing is known of a point that
   // is infinitely far away.
-  struct ClearBall {
+  struct alignas(32) ClearBall {  // in one cache line
     Vec3 center{kNever.high, 0, 0};
     double distance = 0;
   };

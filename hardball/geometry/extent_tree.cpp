@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace hardball {
 namespace {
@@ -39,22 +40,110 @@ struct ExtentTree::Builder {
   double unit;
   std::vector<Node>& nodes;
 
-  static std::size_t longest_axis(Order begin, Order end) {
+  // Items in so many bins along an axis, by their middles.
+  static constexpr std::size_t kBins = 16;
+  struct Plane {
+    std::size_t axis = 0;
+    double low = 0;
+    double bins_per_length = 0;
+    std::size_t last = 0;  // the bin that is the last on the lower side
+
+    std::size_t bin(const Place& place) const {
+      const double beyond = (place.middle[axis] - low) * bins_per_length;
+      return static_cast<std::size_t>(std::clamp(beyond, 0.0, static_cast<double>(kBins - 1)));
+    }
+  };
+  struct Share {
+    std::size_t count = 0;
+    Extent extent;
+
+    void take(const Share& other) {
+      if (count == 0) extent = other.extent;
+      if (other.count > 0) extent.enclose(other.extent);
+      count += other.count;
+    }
+    // To ask about everything in it, by its surface.
+    double cost() const {
+      const Vec3 size = extent.high - extent.low;
+      return static_cast<double>(count) * (size.x * size.y + size.y * size.z + size.z * size.x);
+    }
+  };
+  // One over the part of the items that either side of a plane has at least.
+  static constexpr std::ptrdiff_t kMostUneven = 16;
+
+  // The plane across the longest axis on whose sides items cost the least, as some of them say; none if all
+  // have one middle.
+  std::optional<Plane> best_plane(Order begin, Order end) const {
+    constexpr std::ptrdiff_t kEnough = 64;
+    const std::ptrdiff_t stride = (end - begin + kEnough - 1) / kEnough;
     Extent middles{begin->middle, begin->middle};
-    for (Order place = begin + 1; place != end; ++place) middles.enclose({place->middle, place->middle});
-    const Vec3 extent = middles.high - middles.low;
-    const std::size_t longer = extent.y > extent.x ? 1 : 0;
-    return extent.z > extent[longer] ? 2 : longer;
+    for (Order place = begin; end - place > stride;) {
+      place += stride;
+      middles.enclose({place->middle, place->middle});
+    }
+    const Vec3 widths = middles.high - middles.low;
+    const std::size_t longer = widths.y > widths.x ? 1 : 0;
+    const std::size_t axis = widths.z > widths[longer] ? 2 : longer;
+    Plane plane{axis, middles.low[axis], static_cast<double>(kBins) / widths[axis]};
+    if (!(plane.bins_per_length < std::numeric_limits<double>::infinity())) return std::nullopt;
+
+    std::array<Share, kBins> bins;
+    for (Order place = begin;; place += stride) {
+      bins[plane.bin(*place)].take({1, items[place->item].extent});
+      if (end - place <= stride) break;
+    }
+    std::array<double, kBins> costs_above{};
+    Share above;
+    for (std::size_t bin = kBins - 1; bin > 0; --bin) {
+      above.take(bins[bin]);
+      costs_above[bin - 1] = above.cost();
+    }
+    Share below;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t bin = 0; bin + 1 < kBins; ++bin) {
+      below.take(bins[bin]);
+      if (const double cost = below.cost() + costs_above[bin]; cost < least) {
+        least = cost;
+        plane.last = bin;
+      }
+    }
+    return plane;
   }
 
-  // Lets the items that come first along the longest axis come first.
-  static void part(Order begin, Order half, Order end) {
-    const std::size_t axis = longest_axis(begin, end);
-    std::nth_element(begin, half, end, [axis](const Place& a, const Place& b) {
-      const double of_a = a.middle[axis];
-      const double of_b = b.middle[axis];
-      return of_a != of_b ? of_a < of_b : a.item < b.item;
+  // Parts items by a plane between them, and returns where the upper side begins.
+  Order part(Order begin, Order end) const {
+    const Order half = begin + (end - begin) / 2;
+    const std::optional<Plane> plane = best_plane(begin, end);
+    if (!plane) return half;
+    const Order upper =
+        std::partition(begin, end, [&](const Place& place) { return plane->bin(place) <= plane->last; });
+    if (kMostUneven * std::min(upper - begin, end - upper) >= end - begin) return upper;
+    // Without a few that lie far away, the rest is not much less than before.
+    std::nth_element(begin, half, end, [&](const Place& a, const Place& b) {
+      return a.middle[plane->axis] < b.middle[plane->axis];
     });
+    return half;
+  }
+
+  struct Items {
+    Order begin;
+    Order end;
+
+    std::ptrdiff_t size() const { return end - begin; }
+  };
+  // Parts items into at most four shares of at least one, and returns how many there are.
+  std::size_t divide(const Items& all, std::array<Items, FourNumbers::kCount>& shares) const {
+    shares[0] = all;
+    std::size_t count = 1;
+    for (; count < FourNumbers::kCount; ++count) {
+      Items& largest = *std::max_element(shares.begin(), shares.begin() + count,
+                                         [](const Items& a, const Items& b) { return a.size() < b.size(); });
+      if (largest.size() == 1) break;
+      const Order upper = part(largest.begin, largest.end);
+      shares[count] = {upper, largest.end};
+      largest.end = upper;
+    }
+    return count;
   }
 
   // Sets the ends of the extents along an axis, as many steps from the corner as lie outside of them.
@@ -83,31 +172,20 @@ struct ExtentTree::Builder {
   }
 
   // Makes a node of at least one item, and returns the extent around all.
-  Extent build(std::size_t place, Order begin, Order end) {
-    // Each child but the last is full, with all nodes below it.
-    std::ptrdiff_t share = 1;
-    while (share * static_cast<std::ptrdiff_t>(FourNumbers::kCount) < end - begin)
-      share *= static_cast<std::ptrdiff_t>(FourNumbers::kCount);
-    if (end - begin > 2 * share) {
-      part(begin, begin + 2 * share, end);
-      part(begin, begin + share, begin + 2 * share);
-      if (end - begin > 3 * share) part(begin + 2 * share, begin + 3 * share, end);
-    } else if (end - begin > share) {
-      part(begin, begin + share, end);
-    }
+  Extent build(std::size_t place, const Items& all) {
     Node node;
     std::array<Extent, FourNumbers::kCount> extents;
-    std::size_t count = 0;
-    for (Order first = begin; first != end; ++count) {
-      const Order last = first + std::min(share, end - first);
-      extents[count] = items[first->item].extent;
-      node.references[count] = items[first->item].number | kIsItem;
-      if (last - first > 1) {
-        node.references[count] = static_cast<std::uint32_t>(nodes.size());
+    std::array<Items, FourNumbers::kCount> shares;
+    const std::size_t count = divide(all, shares);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Item& first = items[shares[i].begin->item];
+      extents[i] = first.extent;
+      node.references[i] = first.number | kIsItem;
+      if (shares[i].size() > 1) {
+        node.references[i] = static_cast<std::uint32_t>(nodes.size());
         nodes.emplace_back();
-        extents[count] = build(node.references[count], first, last);
+        extents[i] = build(node.references[i], shares[i]);
       }
-      first = last;
     }
     for (std::size_t axis = 0; axis < kAxes; ++axis) set_ends(node, std::span(extents).first(count), axis);
     nodes[place] = node;
@@ -127,7 +205,7 @@ ExtentTree::ExtentTree(std::span<const Item> items) {
     order.push_back({item.extent.low + item.extent.high, static_cast<std::uint32_t>(order.size())});
   nodes_.reserve(items.size() / (FourNumbers::kCount - 1) + 1);
   nodes_.emplace_back();
-  Builder{items, unit_, nodes_}.build(0, order.begin(), order.end());
+  Builder{items, unit_, nodes_}.build(0, {order.begin(), order.end()});
   nodes_.shrink_to_fit();
 }
 

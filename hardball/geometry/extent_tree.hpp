@@ -86,8 +86,8 @@ class HARDBALL_EXPORT ExtentTree {
  private:
   static constexpr std::uint32_t kIsItem = std::uint32_t{1} << 31;
   static constexpr std::uint32_t kNone = 0xffffffff;
-  // Three more on each of sixteen levels, which 2^31 items have, and the last.
-  static constexpr std::size_t kMostPending = 52;
+  // Three more on each of a hundred levels: no child has more than 15/16 of 15/16 of 15/16 of the items.
+  static constexpr std::size_t kMostPending = 304;
 
   // A cache line: what it takes to ask a tree is to fetch these. Ends of extents are a few bits long, rounded
   // outward: so many steps from a corner.

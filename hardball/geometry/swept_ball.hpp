@@ -64,17 +64,18 @@ class SweptBall {
   /// `margin` [L] is more than the rounding of coordinates.
   double free_until(const Extent& extent, double begin, double end, double margin) const {
     const Stay stay = stay_within(extent, begin, end, margin);
-    double t = stay.first;
+    const double t = stay.first;
+    if (!(t <= stay.last && t < std::numeric_limits<double>::infinity()))
+      return std::numeric_limits<double>::infinity();
     // The corners of the box around the ball reach farther than the ball itself.
-    for (int step = 0; step < 2 && t <= stay.last && t < std::numeric_limits<double>::infinity(); ++step) {
-      const Vec3 center = position_at(t);
-      const Vec3 apart = center - nearest_in_box(extent.low, extent.high, center);
-      const double distance = length(apart);
-      const double width = distance - radius_at(t) - margin;
-      if (!(width > 0)) return t;
-      t += safe_step({width, dot(apart, velocity_at(t)) / distance - growth_, acceleration()});
-    }
-    return t <= stay.last ? t : std::numeric_limits<double>::infinity();
+    const Vec3 center = position_at(t);
+    const Vec3 apart = center - nearest_in_box(extent.low, extent.high, center);
+    const double distance = length(apart);
+    const double width = distance - radius_at(t) - margin;
+    if (!(width > 0)) return t;
+    const double touched =
+        t + safe_step({width, dot(apart, velocity_at(t)) / distance - growth_, acceleration()});
+    return touched <= stay.last ? touched : std::numeric_limits<double>::infinity();
   }
   /// For each of four extents a time from `begin` on before which the ball does not touch it; infinite if it
   /// never does until `end`. `margin` [L] is more than the rounding of coordinates.
@@ -94,25 +95,24 @@ class SweptBall {
       keep(place - extents.low[axis] + reach, from_low_[axis], first, last);
       keep(extents.high[axis] - place + reach, from_high_[axis], first, last);
     }
+    if (are_larger(first, last)) return FourNumbers(kForever);
     const FourNumbers zero;
-    const FourNumbers growth(growth_);
-    for (int step = 0; step < 2; ++step) {
-      FourNumbers square;
-      FourNumbers opening;  // how fast the distance grows, times the distance
-      for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        const FourNumbers velocity(velocity_[axis]);
-        const FourNumbers place = FourNumbers(position_[axis]) + first * velocity;
-        const FourNumbers apart =
-            smaller(place - extents.low[axis], zero) + larger(place - extents.high[axis], zero);
-        square = square + apart * apart;
-        opening = opening + apart * velocity;
-      }
-      const FourNumbers distance = square_root(square);
-      const FourNumbers width = distance - (FourNumbers(radius_) + first * growth) - FourNumbers(margin);
-      const FourNumbers closing = growth - opening / distance;
-      const FourNumbers wait = select(closing, zero, width / closing, FourNumbers(kForever));
-      first = first + select(width, zero, wait, zero);
+    FourNumbers square;
+    FourNumbers opening;  // how fast the distance grows, times the distance
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const FourNumbers velocity(velocity_[axis]);
+      const FourNumbers place = FourNumbers(position_[axis]) + first * velocity;
+      const FourNumbers apart =
+          smaller(place - extents.low[axis], zero) + larger(place - extents.high[axis], zero);
+      square = square + apart * apart;
+      opening = opening + apart * velocity;
     }
+    const FourNumbers growth(growth_);
+    const FourNumbers distance = square_root(square);
+    const FourNumbers width = distance - (FourNumbers(radius_) + first * growth) - FourNumbers(margin);
+    const FourNumbers closing = growth - opening / distance;
+    const FourNumbers wait = select(closing, zero, width / closing, FourNumbers(kForever));
+    first = first + select(width, zero, wait, zero);
     return select(first, last, FourNumbers(kForever), first);
   }
 

@@ -25,29 +25,6 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
   return sum ^ (sum >> 29);
 }
 
-// Numbers of things by what makes them alike. It is only ever asked for one of them, so that no answer
-// depends on the order in which it stores them.
-template <class Hash, class AreAlike>
-class FirstAlike {
- public:
-  FirstAlike(std::size_t most, Hash hash, AreAlike are_alike)
-      : slots_(std::bit_ceil(2 * most + 1), kNone), hash_(hash), are_alike_(are_alike) {}
-
-  // The first number that is like this one; it itself if there was none.
-  std::uint32_t of(std::uint32_t number) {
-    const std::size_t mask = slots_.size() - 1;
-    for (std::size_t slot = hash_(number) & mask;; slot = (slot + 1) & mask) {
-      if (slots_[slot] == kNone) slots_[slot] = number;
-      if (slots_[slot] == number || are_alike_(slots_[slot], number)) return slots_[slot];
-    }
-  }
-
- private:
-  std::vector<std::uint32_t> slots_;
-  Hash hash_;
-  AreAlike are_alike_;
-};
-
 // Gives triangles the vertices that stand for theirs, and leaves out those that none names.
 void replace_vertices(MeshParts& parts, const std::vector<std::uint32_t>& standing_for) {
   std::vector<bool> is_named(parts.vertices.size());
@@ -158,16 +135,19 @@ void weld_equal_vertices(MeshParts& parts, MeshReport& report) {
   std::vector<Vec3>& vertices = parts.vertices;
   const Vec3 positive_zero;
   for (Vec3& vertex : vertices) vertex += positive_zero;
-  FirstAlike first(
-      vertices.size(),
-      [&](std::uint32_t i) {
-        const auto bits = [](double number) { return bit_cast<std::uint64_t>(number); };
-        return mixed(mixed(bits(vertices[i].x), bits(vertices[i].y)), bits(vertices[i].z));
-      },
-      [&](std::uint32_t i, std::uint32_t k) { return vertices[i] == vertices[k]; });
+  const auto hash = [](const Vec3& place) {
+    const auto bits = [](double number) { return bit_cast<std::uint64_t>(number); };
+    return static_cast<std::size_t>(mixed(mixed(bits(place.x), bits(place.y)), bits(place.z)));
+  };
+  // The first vertex at each place. It is asked for one place at a time: no answer depends on its order.
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * vertices.size() + 1), kNone);
   std::vector<std::uint32_t> standing_for(vertices.size());
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    standing_for[i] = first.of(i);
+    std::size_t slot = hash(vertices[i]) & (table.size() - 1);
+    while (table[slot] != kNone && !(vertices[table[slot]] == vertices[i]))
+      slot = (slot + 1) & (table.size() - 1);
+    if (table[slot] == kNone) table[slot] = i;
+    standing_for[i] = table[slot];
     report.welded_vertices += standing_for[i] != i ? 1U : 0U;
   }
   replace_vertices(parts, standing_for);
@@ -205,21 +185,36 @@ void weld_near_vertices(MeshParts& parts, double distance, MeshReport& report) {
 }
 
 void remove_duplicates(MeshParts& parts, MeshReport& report) {
-  FirstAlike first(
-      parts.triangles.size(),
-      [&](std::uint32_t i) {
-        const Triangle corners = sorted(parts.triangles[i]);
-        return mixed(mixed(corners[0], corners[1]), corners[2]);
-      },
-      [&](std::uint32_t i, std::uint32_t k) {
-        return sorted(parts.triangles[i]) == sorted(parts.triangles[k]);
-      });
-  std::vector<bool> stays(parts.triangles.size());
+  // With those that have the same first corner, in the order of their corners; the first of equal ones first.
+  struct Corners {
+    std::uint32_t second;
+    std::uint32_t third;
+    std::uint32_t triangle;
+
+    auto operator<=>(const Corners&) const = default;
+  };
+  std::vector<std::uint32_t> ends(parts.vertices.size() + 1);
+  for (const Triangle& triangle : parts.triangles) ++ends[sorted(triangle)[0] + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Corners> by_first(parts.triangles.size());
   for (std::uint32_t i = 0; i < parts.triangles.size(); ++i) {
-    const Triangle& corners = parts.triangles[i];
-    const bool is_point = corners[0] == corners[1] && corners[1] == corners[2];
-    stays[i] = !is_point && first.of(i) == i;
-    report.duplicate_triangles += stays[i] ? 0U : 1U;
+    const auto [first, second, third] = sorted(parts.triangles[i]);
+    by_first[ends[first]++] = {second, third, i};
+  }
+  std::vector<bool> stays(parts.triangles.size(), true);
+  auto begin = by_first.begin();
+  for (std::uint32_t vertex = 0; vertex < parts.vertices.size(); ++vertex) {
+    const auto end = by_first.begin() + ends[vertex];
+    std::sort(begin, end);
+    for (auto corners = begin; corners != end; ++corners) {
+      const bool is_point = corners->third == vertex;
+      const bool is_repeated = corners != begin && corners->second == (corners - 1)->second &&
+                               corners->third == (corners - 1)->third;
+      if (!is_point && !is_repeated) continue;
+      stays[corners->triangle] = false;
+      ++report.duplicate_triangles;
+    }
+    begin = end;
   }
   if (report.duplicate_triangles == 0) return;
   std::size_t count = 0;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -29,21 +31,16 @@ class Words {
   }
   /// The next word of the present line; empty at its end.
   std::string_view next() {
-    constexpr std::string_view kBlanks = " \t\r\f\v";
-    const std::size_t begin = rest_.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos) return rest_ = {};
-    std::size_t end = rest_.find_first_of(kBlanks, begin);
-    if (end == std::string_view::npos) end = rest_.size();
-    const std::string_view word = rest_.substr(begin, end - begin);
-    rest_.remove_prefix(end);
-    return word;
+    const auto begin = std::find_if_not(rest_.begin(), rest_.end(), is_blank);
+    const auto end = std::find_if(begin, rest_.end(), is_blank);
+    rest_ = {end, rest_.end()};
+    return {begin, end};
   }
   /// What is left of the line, without blanks around it.
   std::string_view rest_of_line() {
-    constexpr std::string_view kBlanks = " \t\r\f\v";
-    const std::size_t begin = rest_.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos) return rest_ = {};
-    return rest_.substr(begin, rest_.find_last_not_of(kBlanks) + 1 - begin);
+    const auto begin = std::find_if_not(rest_.begin(), rest_.end(), is_blank);
+    const auto end = std::find_if_not(rest_.rbegin(), std::reverse_iterator(begin), is_blank).base();
+    return {begin, end};
   }
   /// Where the next line begins, as an offset in the text.
   std::size_t position() const { return position_; }
@@ -60,6 +57,8 @@ class Words {
   }
 
  private:
+  static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
   template <class Number>
   Number parsed(std::string_view word) const {
     // Some writers put a sign before positive numbers.

@@ -423,6 +423,7 @@ MeshContact MeshShape::first_contact(const Passage& passage, double begin, doubl
           t = next > t ? next : std::nextafter(t, kNoContact);
         }
       });
+  if (candidates.empty()) return {};
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.bound != b.bound ? a.bound < b.bound : a.triangle < b.triangle;
   });

@@ -74,6 +74,39 @@ TEST(ExtentTree, LeavesOutWhatIsFarAway) {
   EXPECT_LT(visits, support::cases(300) * 2);
 }
 
+// As the walls of a box in a file: each of two triangles of a wall reaches along all of it.
+TEST(ExtentTree, AsksFewNodesAboutOneOfManyWalls) {
+  std::vector<ExtentTree::Item> walls;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (const double place : {0.0, 1.0}) {
+      Extent wall{{0, 0, 0}, {1, 1, 1}};
+      wall.low[axis] = wall.high[axis] = place;
+      for (int triangle = 0; triangle < 2; ++triangle)
+        walls.push_back({wall, static_cast<std::uint32_t>(walls.size())});
+    }
+  }
+  const ExtentTree tree(walls);
+  double asked = 0;
+  double visits = 0;
+  const auto cases = static_cast<double>(support::cases(3000));
+  for (std::uint64_t seed = 0; seed < support::cases(3000); ++seed) {
+    Random random(seed);
+    Vec3 place = random_point(random, {1, 1, 1});
+    place[random.bits() % kAxes] = random.bits() % 2 == 0 ? 0.001 : 0.999;
+    const double farthest = 0.002;
+    tree.for_each_within(
+        farthest,
+        [&](const FourExtents& extents) {
+          ++asked;
+          return distance_to(extents, place);
+        },
+        [&](std::uint32_t) { ++visits; });
+  }
+  EXPECT_NEAR(visits, 2 * cases, 0.1 * cases);
+  // There are four at least.
+  EXPECT_LT(asked, 3.2 * cases);
+}
+
 TEST(FourExtents, AreAsFarAsEachOfThem) {
   for (std::uint64_t seed = 0; seed < support::cases(3000); ++seed) {
     Random random(seed);
