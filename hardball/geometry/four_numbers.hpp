@@ -6,10 +6,6 @@
 #include <cmath>
 #include <cstddef>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 namespace hardball {
 
 /// Four numbers with which the same is done: all machines have instructions for two at a time.
@@ -45,7 +41,7 @@ class FourNumbers {
   /// Where a > b, a, elsewhere b: b where one is not a number.
   friend FourNumbers larger(const FourNumbers& a, const FourNumbers& b) {
 #ifdef __SSE2__
-    return {_mm_max_pd(a.first_, b.first_), _mm_max_pd(a.second_, b.second_)};
+    return {__builtin_ia32_maxpd(a.first_, b.first_), __builtin_ia32_maxpd(a.second_, b.second_)};
 #else
     return select(a, b, a, b);
 #endif
@@ -53,7 +49,7 @@ class FourNumbers {
   /// Where a < b, a, elsewhere b: b where one is not a number.
   friend FourNumbers smaller(const FourNumbers& a, const FourNumbers& b) {
 #ifdef __SSE2__
-    return {_mm_min_pd(a.first_, b.first_), _mm_min_pd(a.second_, b.second_)};
+    return {__builtin_ia32_minpd(a.first_, b.first_), __builtin_ia32_minpd(a.second_, b.second_)};
 #else
     return select(b, a, a, b);
 #endif
@@ -61,8 +57,9 @@ class FourNumbers {
   /// Whether a > b for all four.
   friend bool are_larger(const FourNumbers& a, const FourNumbers& b) {
 #ifdef __SSE2__
-    const __m128d both = _mm_and_pd(_mm_cmpgt_pd(a.first_, b.first_), _mm_cmpgt_pd(a.second_, b.second_));
-    return _mm_movemask_pd(both) == 3;
+    const int lanes =
+        __builtin_ia32_movmskpd(a.first_ > b.first_) & __builtin_ia32_movmskpd(a.second_ > b.second_);
+    return lanes == 3;
 #else
     return a[0] > b[0] && a[1] > b[1] && a[2] > b[2] && a[3] > b[3];
 #endif
@@ -74,12 +71,8 @@ class FourNumbers {
             a.second_ > b.second_ ? where_larger.second_ : elsewhere.second_};
   }
   friend FourNumbers square_root(const FourNumbers& a) {
-#ifdef __SSE2__
-    return {_mm_sqrt_pd(a.first_), _mm_sqrt_pd(a.second_)};
-#else
     return {Two{std::sqrt(a.first_[0]), std::sqrt(a.first_[1])},
             Two{std::sqrt(a.second_[0]), std::sqrt(a.second_[1])}};
-#endif
   }
 
  private:
