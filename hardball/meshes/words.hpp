@@ -33,14 +33,15 @@ class Words {
   std::string_view next() {
     const auto begin = std::find_if_not(rest_.begin(), rest_.end(), is_blank);
     const auto end = std::find_if(begin, rest_.end(), is_blank);
-    rest_ = {end, rest_.end()};
-    return {begin, end};
+    const std::string_view word = part_of_rest(begin, end);
+    rest_ = part_of_rest(end, rest_.end());
+    return word;
   }
   /// What is left of the line, without blanks around it.
   std::string_view rest_of_line() {
     const auto begin = std::find_if_not(rest_.begin(), rest_.end(), is_blank);
     const auto end = std::find_if_not(rest_.rbegin(), std::reverse_iterator(begin), is_blank).base();
-    return {begin, end};
+    return part_of_rest(begin, end);
   }
   /// Where the next line begins, as an offset in the text.
   std::size_t position() const { return position_; }
@@ -57,6 +58,12 @@ class Words {
   }
 
  private:
+  using Place = std::string_view::const_iterator;
+
+  std::string_view part_of_rest(Place begin, Place end) const {
+    return rest_.substr(static_cast<std::size_t>(begin - rest_.begin()),
+                        static_cast<std::size_t>(end - begin));
+  }
   static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
   template <class Number>
