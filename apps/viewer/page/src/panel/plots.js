@@ -12,6 +12,7 @@ const kHeight = 132;
 const kMostPoints = 1500;
 const kIntervals = 32;
 const kMostMilliseconds = 30; // of work at a time
+const kPairsPause = 30; // while a run is played, the time between two g(r) over that of finding one
 const kFewestSpheres = 20; // fewer have no distribution of speeds worth a plot
 
 /** The plots beside the picture: collision rate, speeds, and the energy where it is lost. */
@@ -52,6 +53,8 @@ export class Plots {
     document.getElementById('figure-speeds').hidden = this.histogram === null;
     const hasPairs = this.histogram !== null && !box.boundary.includes('open');
     this.pairs = hasPairs ? linePlot('plot-pairs', 'g(r)') : null;
+    this.pairsAt = NaN;
+    this.pairsNext = 0;
     document.getElementById('figure-pairs').hidden = !hasPairs;
     // Places in a box whose images slide say little about diffusion.
     this.displacement = this.histogram !== null && !box.isSheared ? new Displacement(masses, box) : null;
@@ -82,6 +85,7 @@ export class Plots {
     this.addDisplacement();
     this.isStale = false;
     this.knownEnd = this.player.knownEnd;
+    this.updatePairs(playback);
     if (playback.time === this.time) return false;
     this.time = playback.time;
     const { masses, radii, count: present } = playback.bodies;
@@ -96,7 +100,6 @@ export class Plots {
     if (this.kinds === null || present !== this.present) this.kinds = findKinds(radii, masses).list;
     this.present = present;
     if (this.histogram) this.drawSpeeds(speeds, energy);
-    if (this.pairs) this.drawPairs(playback);
     return true;
   }
 
@@ -166,15 +169,27 @@ export class Plots {
     this.squares.setData([[this.begin, ...shown(displacement.times)], [0, ...shown(displacement.squares)]]);
   }
 
+  // They take longer than all else: while a run is played, not for every picture.
+  updatePairs(playback) {
+    const begin = performance.now();
+    if (!this.pairs || playback.time === this.pairsAt || (this.player.isPlaying && begin < this.pairsNext)) return;
+    this.drawPairs(playback);
+    this.pairsAt = playback.time;
+    const end = performance.now();
+    this.pairsNext = end + kPairsPause * (end - begin);
+  }
+
   drawPairs({ paths, time, bodies }) {
-    const centers = [];
+    const centers = new Float64Array(3 * this.masses.length);
+    const center = [0, 0, 0];
+    let count = 0;
     let radius = 0;
     for (let id = 0; id < this.masses.length; ++id) {
       if (!bodies.exists(id)) continue;
-      centers.push(...readCenter(paths, kPathNumbers * id, time, this.box, [0, 0, 0]));
+      centers.set(readCenter(paths, kPathNumbers * id, time, this.box, center), 3 * count++);
       radius += bodies.radii[id];
     }
-    const found = radialDistribution(Float64Array.from(centers), (3 * radius) / centers.length, this.box, time);
+    const found = radialDistribution(centers.subarray(0, 3 * count), radius / count, this.box, time);
     document.getElementById('figure-pairs').hidden = found === null;
     if (found) this.pairs.setData(found);
   }

@@ -31,15 +31,25 @@ export function radialDistribution(centers, radius, box, time) {
   const sample = inner.filter((_, k) => k % every === 0).slice(0, kMostCenters);
 
   const pairs = new Float64Array(kIntervals);
-  const apart = [0, 0, 0];
+  const [lengthX, lengthY, lengthZ] = box.period;
   for (const id of sample) {
-    for (let other = 0; other < count; ++other) {
-      if (other === id) continue;
-      for (let axis = 0; axis < 3; ++axis) apart[axis] = centers[3 * other + axis] - centers[3 * id + axis];
-      const [x, y, z] = box.isSheared ? box.nearestApart(apart, time) : apart.map((part, axis) => box.nearest(part, axis));
+    const [atX, atY, atZ] = centers.subarray(3 * id, 3 * id + 3);
+    for (let place = 0; place < centers.length; place += 3) {
+      let x = centers[place] - atX;
+      let y = centers[place + 1] - atY;
+      let z = centers[place + 2] - atZ;
+      if (box.isSheared) {
+        [x, y, z] = box.nearestApart([x, y, z], time);
+      } else {
+        x = nearest(x, lengthX);
+        if (x >= reach || x <= -reach) continue;
+        y = nearest(y, lengthY);
+        z = nearest(z, lengthZ);
+      }
       const interval = Math.floor((Math.sqrt(x * x + y * y + z * z) / reach) * kIntervals);
       if (interval < kIntervals) ++pairs[interval];
     }
+    --pairs[0]; // with itself
   }
   const width = reach / kIntervals;
   const volume = axes.reduce((product, axis) => product * box.size[axis], 1);
@@ -47,4 +57,11 @@ export function radialDistribution(centers, radius, box, time) {
   const expected = (k) => (sample.length * (count - 1) * (ball((k + 1) * width) - ball(k * width))) / volume;
   const middles = Array.from(pairs, (_, k) => (k + 0.5) * width);
   return [middles, Array.from(pairs, (number, k) => number / expected(k))];
+}
+
+// The shortest of the differences between images of two places, one in each box, along an axis of this period; zero says
+// that it has no images.
+function nearest(difference, period) {
+  if (2 * difference > period && period > 0) return difference - period;
+  return 2 * difference < -period && period > 0 ? difference + period : difference;
 }
