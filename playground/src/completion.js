@@ -45,14 +45,15 @@ function optionsOfKeys(table) {
 
 /**
  * What may follow at `position` of a scenario: headers of tables, keys of the table there, or values of the key on the line.
- * {from, options}, as CodeMirror wants them, or null.
+ * {from, to, options}, as CodeMirror wants them, or null. What an editor has closed by itself is replaced, too.
  */
 export function completionsAt(schema, text, position) {
   const before = text.slice(0, position);
   const line = before.slice(before.lastIndexOf('\n') + 1);
   if (/^[^"']*#/.test(line)) return null;
   const openHeader = kOpenHeader.exec(line);
-  if (openHeader) return { from: position - line.trimStart().length, options: optionsOfTables(schema) };
+  const endOf = (closing) => position + closing.exec(text.slice(position))[0].length;
+  if (openHeader) return { from: position - line.trimStart().length, to: endOf(/^\]*/), options: optionsOfTables(schema) };
   const header = [...before.matchAll(kHeader)].at(-1);
   const table = nodeAt(schema, header ? header[1].split('.') : []);
   const word = kWord.exec(line)[0];
@@ -64,7 +65,8 @@ export function completionsAt(schema, text, position) {
     if (/\{[^}]*$/.test(value[2]) && /[{,]\s*[\w\-]*$/.test(value[2])) return { from: position - word.length, options: optionsOfKeys(outer) };
     const node = inner ? keysOf(outer).get(inner[1]) : outer;
     const options = valuesOf(node).map((each) => ({ label: JSON.stringify(each), type: 'enum' }));
-    return options.length > 0 ? { from: position - word.length, options } : null;
+    const to = endOf(word.startsWith('"') ? /^"?/ : /^/);
+    return options.length > 0 ? { from: position - word.length, to, options } : null;
   }
   if (!/^\s*[\w\-]*$/.test(line)) return null;
   const ofTables = line.trim() === '' ? optionsOfTables(schema) : [];

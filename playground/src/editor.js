@@ -69,6 +69,13 @@ export class Editor {
         }),
       ],
     });
+    new ResizeObserver(() => this.keepCaret()).observe(parent);
+  }
+
+  // A message below the text, or the keyboard of a phone, leaves less room: what is typed stays in sight.
+  keepCaret() {
+    const { view } = this;
+    if (view.hasFocus) view.dispatch({ effects: EditorView.scrollIntoView(view.state.selection.main.head) });
   }
 
   get text() {

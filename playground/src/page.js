@@ -9,6 +9,7 @@ import { countText, shown } from './numbers.js';
 import { kMostRecordedBytes, Run } from './run.js';
 import { Sliders } from './sliders.js';
 import { missingFeatures } from './support.js';
+import { numbersOf } from './toml_numbers.js';
 import { ViewerFrame } from './viewer_frame.js';
 
 const kFirstScenario = 'bouncing_heap';
@@ -46,9 +47,14 @@ class Playground {
     this.viewer = new ViewerFrame(element('viewer'));
     /** The scenario or lesson that was chosen: {name, text, hash}, without a hash if it has none. */
     this.chosen = null;
+    /** What was edited before another scenario was chosen, as `chosen`; null if nothing was. */
+    this.yours = null;
     this.run = null;
     this.state = 'idle'; // or starting, running, paused, ended
+    /** Whether the end beside the button is another than that in the text. */
     this.isUntilGiven = false;
+    /** Whether the scenario that was opened last has been run, or was to be. */
+    this.wasRun = false;
     this.fillChoices();
     this.listen();
   }
@@ -86,7 +92,9 @@ class Playground {
     this.chosen = chosen;
     const { kind } = this;
     element('scenario').value = kind === 'scenario' ? chosen.name : '';
-    element('scenario').querySelector('[value=""]').textContent = kind === 'link' ? 'From a link' : '–';
+    const other = element('scenario').querySelector('[value=""]');
+    other.textContent = chosen === this.yours || (kind !== 'link' && this.yours) ? 'Yours' : kind === 'link' ? 'From a link' : '–';
+    other.hidden = !this.yours;
     element('lesson').value = kind === 'lesson' ? chosen.name : '';
     element('description').textContent = chosen.description ?? '';
     element('lesson-text').innerHTML = chosen.html ?? '';
@@ -95,7 +103,16 @@ class Playground {
     this.isUntilGiven = until !== undefined;
     element('until').value = until ?? '';
     this.editor.text = chosen.text;
+    this.untilOfText = this.numberOfUntil?.value;
+    this.wasRun = false;
     this.changed();
+  }
+
+  /** Opens what is chosen from a list, and keeps what was edited before. */
+  choose(chosen) {
+    if (chosen !== this.yours && (this.kind === 'link' || !this.isUnchanged))
+      this.yours = { name: this.chosen.name, text: this.editor.text };
+    this.open(chosen);
   }
 
   /** What was chosen: a 'scenario' or a 'lesson' of the playground, or a 'link'. */
@@ -106,6 +123,11 @@ class Playground {
 
   get isUnchanged() {
     return this.editor.text === this.chosen.text;
+  }
+
+  // Where the text says when the run ends; undefined if it does not.
+  get numberOfUntil() {
+    return numbersOf(this.editor.text).find(({ path }) => path === 'run.until');
   }
 
   // The files that the text names, of those that the playground has.
@@ -121,12 +143,16 @@ class Playground {
 
   changed() {
     this.sliders.update();
+    // Of the end in the text and the one beside the button, the one that was changed last is meant.
+    const until = this.numberOfUntil?.value;
+    if (until !== this.untilOfText) this.isUntilGiven = false;
+    this.untilOfText = until;
     this.showButtons();
     this.isChecked = false;
     clearTimeout(this.checkLater);
     this.checkLater = setTimeout(() => this.check(), kCheckAfter);
     clearTimeout(this.runLater);
-    if (element('at-once').checked && this.state !== 'idle') this.runLater = setTimeout(() => this.restart(), kRunAfter);
+    if (element('at-once').checked && this.wasRun) this.runLater = setTimeout(() => this.restart(), kRunAfter);
   }
 
   async check() {
@@ -136,7 +162,7 @@ class Playground {
     if (!found || text !== this.editor.text) return;
     this.showProblem(found.error);
     this.scenarioUntil = found.until ?? null;
-    if (!found.error && !this.isUntilGiven) element('until').value = found.until ?? '';
+    if (!found.error && !this.isUntilGiven && document.activeElement !== element('until')) element('until').value = found.until ?? '';
     this.isChecked = this.isReady = true;
     this.writeAddress();
     if (this.state === 'idle') element('status').textContent = found.error ? 'The scenario has an error.' : 'Ready to run.';
@@ -144,12 +170,22 @@ class Playground {
   }
 
   showProblem(error) {
+    this.problem = error;
     this.editor.showError(error);
     element('problem').hidden = !error;
     if (!error) return;
     this.problemPlace = error.place;
     element('problem-place').textContent = error.place ? `Line ${error.place.line}` : 'Scenario';
     element('problem-text').textContent = `${error.problem}${error.remedy ? `; ${error.remedy}` : ''}`;
+  }
+
+  // The end of the run, in the text if that gives one.
+  giveUntil(value) {
+    const number = this.numberOfUntil;
+    if (number && value !== '') return this.editor.replace(number.from, number.to, value);
+    this.isUntilGiven = value !== '';
+    this.showButtons();
+    this.writeAddress();
   }
 
   // --- the address ---
@@ -187,28 +223,38 @@ class Playground {
 
   // --- the run ---
 
-  toggleRun() {
+  async toggleRun() {
     if (element('run').disabled) return;
-    if (this.state === 'running') this.run.pause();
-    else if (this.state === 'paused' && this.isOfRun && !this.run.isFull) this.goOn();
-    else this.restart();
+    if (this.state === 'running') return this.run.pause();
+    if (this.state === 'paused' && this.isOfRun && !this.run.isFull) return this.goOn();
+    this.showPart('spheres');
+    const hasBegun = await this.restart();
+    if (!hasBegun && this.state === 'idle') this.showPart(this.problem ? 'scenario' : 'results');
   }
 
   get isOfRun() {
     return this.run?.text === this.editor.text && this.run.until === Number(element('until').value);
   }
 
+  /** Begins a new run; whether it has begun. */
   async restart() {
     this.discard();
+    this.wasRun = true;
     this.enter('starting');
     if (!this.isChecked) await this.check();
-    if (this.state !== 'starting') return;
+    if (this.state !== 'starting') return false;
+    if (this.problem) {
+      this.enter('idle');
+      element('status').textContent = 'The scenario has an error.';
+      this.fail(this.problem.message);
+      return false;
+    }
     const until = element('until').valueAsNumber;
     if (!(until >= 0)) {
       this.enter('idle');
       this.fail('The scenario does not say when it ends: give a time after "until".');
       element('until').focus();
-      return;
+      return false;
     }
     const { text } = this.editor;
     const begun = new Run({
@@ -222,20 +268,24 @@ class Playground {
     });
     begun.expected = this.isUnchanged && until === this.scenarioUntil ? this.chosen.hash : undefined;
     begun.isMeasured = element('measure').checked;
-    if (this.state !== 'starting') return;
+    if (this.state !== 'starting') return false;
     this.run = begun;
     try {
       await begun.start();
     } catch (error) {
-      if (this.run !== begun) return;
+      if (this.run !== begun) return false;
       this.showProblem(error.problem ? error : null);
       this.discard();
       this.fail(error.message);
-      return;
+      return false;
     }
-    if (this.run !== begun) return begun.close();
+    if (this.run !== begun) {
+      begun.close();
+      return false;
+    }
     this.viewer.show(begun);
-    await this.goOn();
+    this.goOn();
+    return true;
   }
 
   async goOn() {
@@ -269,6 +319,7 @@ class Playground {
     this.viewer.clear();
     this.fail('');
     showMeasures(element('measures'), []);
+    element('measures').setAttribute('aria-busy', 'false');
     element('hashes').hidden = true;
     this.showComparison({});
     element('progress').value = 0;
@@ -282,7 +333,7 @@ class Playground {
     this.showButtons();
     this.showNow();
     if (state === 'running') this.measureLater();
-    else if (state === 'paused' || state === 'ended') this.showMeasures(this.run);
+    else if (state === 'paused' || state === 'ended') this.showLastMeasures();
   }
 
   measureLater(after = kMeasureEvery) {
@@ -294,6 +345,14 @@ class Playground {
       await this.showMeasures(measured);
       this.measureLater(Math.max(kMeasureEvery, 10 * (performance.now() - begin)));
     }, after);
+  }
+
+  // Until they are known, those that are shown are of an earlier time.
+  async showLastMeasures() {
+    const { run } = this;
+    element('measures').setAttribute('aria-busy', 'true');
+    await this.showMeasures(run);
+    if (this.run === run) element('measures').setAttribute('aria-busy', 'false');
   }
 
   async showMeasures(run) {
@@ -388,10 +447,7 @@ class Playground {
 
   listen() {
     const click = (id, action) => element(id).addEventListener('click', action);
-    click('run', () => {
-      if (this.state !== 'running' && this.state !== 'paused') this.showPart('spheres');
-      this.toggleRun();
-    });
+    click('run', () => this.toggleRun());
     click('stop', () => (this.state === 'starting' ? this.discard() : this.end()));
     click('share', () => this.share());
     click('copy', () => this.copy());
@@ -402,14 +458,18 @@ class Playground {
       button.addEventListener('click', () => this.showPart(button.dataset.part));
     for (const button of document.querySelectorAll('dialog .close'))
       button.addEventListener('click', () => button.closest('dialog').close());
-    element('scenario').addEventListener('change', ({ target }) => this.open(this.scenarios.get(target.value)));
+    element('scenario').addEventListener('change', ({ target }) => this.choose(this.scenarios.get(target.value) ?? this.yours));
     element('lesson').addEventListener('change', ({ target }) =>
-      this.open(this.lessons.get(target.value) ?? this.scenarios.get(kFirstScenario)),
+      this.choose(this.lessons.get(target.value) ?? this.scenarios.get(kFirstScenario)),
     );
-    element('until').addEventListener('input', () => {
-      this.isUntilGiven = element('until').value !== '';
-      this.showButtons();
-      this.writeAddress();
+    const until = element('until');
+    until.addEventListener('focus', () => until.select());
+    until.addEventListener('input', () => this.giveUntil(until.value));
+    until.addEventListener('change', () => {
+      if (until.value === '') until.value = this.scenarioUntil ?? '';
+    });
+    until.addEventListener('keydown', ({ key, ctrlKey, metaKey }) => {
+      if (key === 'Enter' && !ctrlKey && !metaKey) this.toggleRun();
     });
     addEventListener('keydown', (event) => {
       if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey) || event.defaultPrevented) return;

@@ -96,6 +96,15 @@ test('completion knows tables, keys and values', () => {
   assert.deepEqual(labels('# [bo'), []);
   const [key] = completionsAt(schema, '[run]\nunt', 9).options;
   assert.ok(key.apply === 'until = ' && key.info.length > 10);
+  // What an editor has closed by itself is a part of what is replaced.
+  const replaced = (text, after) => {
+    const { from, to } = completionsAt(schema, text + after, text.length);
+    return (text + after).slice(from, to);
+  };
+  assert.equal(replaced('[resp', ']\n'), '[resp]');
+  assert.equal(replaced('[[sph', ']]\n'), '[[sph]]');
+  assert.equal(replaced('[box]\nboundary = ["wa', '"]'), '"wa"');
+  assert.equal(replaced('[[spheres]]\nkinematic = t', '\n'), 't');
 });
 
 test('links have the whole text', async () => {

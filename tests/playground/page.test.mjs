@@ -256,7 +256,10 @@ test('sliders edit the numbers of the text, and nothing else', async () => {
 test('a link has the whole scenario', async () => {
   const page = await openPlayground();
   await replaceText(page, kGas);
+  // The end in the text and the one beside the button are one.
   await page.fill('#until', '1.5');
+  const edited = kGas.replace('until = 2.0', 'until = 1.5');
+  assert.equal(await textOf(page), edited);
   await page.click('#share');
   const link = await page.inputValue('#address');
   assert.ok(link.startsWith(`${address}#`) && link.length < 1000, link);
@@ -266,13 +269,13 @@ test('a link has the whole scenario', async () => {
   for (let time = 0; time < 2; ++time) {
     await page.reload();
     await whenReady(page);
-    assert.equal(await textOf(page), kGas);
+    assert.equal(await textOf(page), edited);
   }
   await close(page);
 
   const other = await openPlayground(new URL(link).hash);
-  assert.equal(await textOf(other), kGas);
-  assert.equal(await other.inputValue('#until'), '1.5');
+  assert.equal(await textOf(other), edited);
+  await other.waitForFunction(() => document.getElementById('until').value === '1.5');
   await other.goto(`${address}#s=AAAA`);
   await other.waitForFunction(() => document.getElementById('alert').textContent.includes('The link is damaged'));
   await close(other);
@@ -287,6 +290,8 @@ test('the viewer plays at once, and looks as it did before and as a link says', 
   await page.click('#run');
   const viewer = await viewerOf(page);
   await viewer.waitForFunction(() => window.hardball.state().isPlaying && window.hardball.state().time > 0);
+  // The address of the frame shows nothing by itself.
+  assert.ok(await viewer.locator('#copy-link').isHidden());
   assert.equal((await viewer.evaluate(() => window.hardball.state())).colorBy, 'last contact');
   await viewer.selectOption('#color-by', 'collisions');
   await viewer.waitForFunction(() => location.hash.includes('color=collisions'));
@@ -300,6 +305,47 @@ test('the viewer plays at once, and looks as it did before and as a link says', 
   await runToEnd(page);
   const other = await viewerOf(page);
   assert.notEqual((await other.evaluate(() => window.hardball.state())).colorBy, 'collisions');
+  await close(page);
+});
+
+test('what was changed last says when a run ends', async () => {
+  const page = await openPlayground('#scenario=dense_gas&until=3');
+  assert.equal(await page.inputValue('#until'), '3');
+  const slider = page.locator('#sliders input[data-path="run.until"]');
+  await slider.evaluate((input) => {
+    input.value = 2;
+    input.dispatchEvent(new Event('input'));
+  });
+  await page.waitForFunction(() => document.getElementById('until').value === '2');
+  await page.fill('#until', '8');
+  assert.match(await textOf(page), /^until = 8$/m);
+  await page.waitForFunction(() => document.querySelector('#sliders input[data-path="run.until"]').value === '8');
+  await close(page);
+});
+
+test('what is edited stays when another scenario is chosen', async () => {
+  const page = await openPlayground('#scenario=dense_gas');
+  await replaceText(page, kGas);
+  await page.selectOption('#scenario', 'two_spheres');
+  assert.notEqual(await textOf(page), kGas);
+  await page.selectOption('#scenario', { label: 'Yours' });
+  assert.equal(await textOf(page), kGas);
+  await close(page);
+});
+
+test('a run that cannot begin shows why, and begins when that is mended', async () => {
+  const page = await openPlayground('#scenario=newtons_cradle', { width: 390, height: 844, hasTouch: true });
+  await page.click('#parts button[data-part="sliders"]');
+  await page.check('#at-once');
+  await page.click('#parts button[data-part="scenario"]');
+  await replaceText(page, kGas.replace('radius = 0.4', 'radius = -0.4'));
+  await page.waitForSelector('#problem');
+  await page.click('#run');
+  await page.waitForFunction(() => document.body.dataset.part === 'scenario');
+  assert.ok(await page.isVisible('#problem'));
+  await replaceText(page, kGas);
+  await whenState(page, 'ended');
+  assert.match(await page.textContent('#status'), /^Finished/);
   await close(page);
 });
 

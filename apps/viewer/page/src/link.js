@@ -134,7 +134,9 @@ export class Link {
     this.starts = {};
     this.written = '';
     this.due = Infinity;
-    element('copy-link').hidden = !this.hasAddress;
+    // What is fed through a port shows nothing under its address alone.
+    const isFed = new URLSearchParams(location.search).get('source') === 'port';
+    element('copy-link').hidden = !this.hasAddress || isFed;
     element('copy-link').addEventListener('click', () => this.copy());
     if (this.hasAddress) addEventListener('hashchange', () => this.show(location.hash));
     addEventListener('message', ({ source, data }) => {
