@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace hardball {
 namespace {
@@ -99,27 +100,31 @@ struct ExtentTree::Builder {
       costs_above[bin - 1] = above.cost();
     }
     Share below;
-    double least = std::numeric_limits<double>::infinity();
+    const std::size_t count = above.count + bins[0].count;
+    std::pair least{std::numeric_limits<double>::infinity(), count};
     for (std::size_t bin = 0; bin + 1 < kBins; ++bin) {
       below.take(bins[bin]);
-      if (const double cost = below.cost() + costs_above[bin]; cost < least) {
-        least = cost;
-        plane.last = bin;
-      }
+      const std::size_t larger = std::max(below.count, count - below.count);
+      // Of planes that cost the same, as where items lie on a line, the one that halves them.
+      const std::pair costs{below.cost() + costs_above[bin], larger};
+      if (!(costs < least)) continue;
+      least = costs;
+      plane.last = bin;
     }
     return plane;
   }
 
-  // Parts items by a plane between them, and returns where the upper side begins.
+  // Parts items by a plane between them, in an order that they alone decide, and returns where the upper side
+  // begins.
   Order part(Order begin, Order end) const {
     const Order half = begin + (end - begin) / 2;
     const std::optional<Plane> plane = best_plane(begin, end);
     if (!plane) return half;
-    const Order upper =
-        std::partition(begin, end, [&](const Place& place) { return plane->bin(place) <= plane->last; });
+    const Order upper = std::stable_partition(
+        begin, end, [&](const Place& place) { return plane->bin(place) <= plane->last; });
     if (kMostUneven * std::min(upper - begin, end - upper) >= end - begin) return upper;
     // Without a few that lie far away, the rest is not much less than before.
-    std::nth_element(begin, half, end, [&](const Place& a, const Place& b) {
+    std::stable_sort(begin, end, [&](const Place& a, const Place& b) {
       return a.middle[plane->axis] < b.middle[plane->axis];
     });
     return half;

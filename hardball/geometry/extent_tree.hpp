@@ -16,8 +16,8 @@
 
 namespace hardball {
 
-/// Bodies at rest, or parts of one, in a tree of extents, of which each is around a quarter of what its
-/// parent is around: the obstacles of a world, the triangles of a mesh.
+/// Bodies at rest, or parts of one, in a tree of extents, each of which is around up to four others: the
+/// obstacles of a world, the triangles of a mesh.
 class HARDBALL_EXPORT ExtentTree {
  public:
   /// A body in the tree.

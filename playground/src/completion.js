@@ -45,15 +45,15 @@ function optionsOfKeys(table) {
 
 /**
  * What may follow at `position` of a scenario: headers of tables, keys of the table there, or values of the key on the line.
- * {from, to, options}, as CodeMirror wants them, or null. What an editor has closed by itself is replaced, too.
+ * {from, options, closed}, or null: the first two as CodeMirror wants them; `closed` matches what an editor has closed by itself after
+ * `position`, and which is replaced, too.
  */
 export function completionsAt(schema, text, position) {
   const before = text.slice(0, position);
   const line = before.slice(before.lastIndexOf('\n') + 1);
   if (/^[^"']*#/.test(line)) return null;
   const openHeader = kOpenHeader.exec(line);
-  const endOf = (closing) => position + closing.exec(text.slice(position))[0].length;
-  if (openHeader) return { from: position - line.trimStart().length, to: endOf(/^\]*/), options: optionsOfTables(schema) };
+  if (openHeader) return { from: position - line.trimStart().length, options: optionsOfTables(schema), closed: /^\]*/ };
   const header = [...before.matchAll(kHeader)].at(-1);
   const table = nodeAt(schema, header ? header[1].split('.') : []);
   const word = kWord.exec(line)[0];
@@ -62,13 +62,12 @@ export function completionsAt(schema, text, position) {
     // Within { }, the last key that was begun.
     const inner = [...value[2].matchAll(/([\w\-]+)\s*=/g)].at(-1);
     const outer = keysOf(table).get(value[1]);
-    if (/\{[^}]*$/.test(value[2]) && /[{,]\s*[\w\-]*$/.test(value[2])) return { from: position - word.length, options: optionsOfKeys(outer) };
+    if (/\{[^}]*$/.test(value[2]) && /[{,]\s*[\w\-]*$/.test(value[2])) return { from: position - word.length, options: optionsOfKeys(outer), closed: /^/ };
     const node = inner ? keysOf(outer).get(inner[1]) : outer;
     const options = valuesOf(node).map((each) => ({ label: JSON.stringify(each), type: 'enum' }));
-    const to = endOf(word.startsWith('"') ? /^"?/ : /^/);
-    return options.length > 0 ? { from: position - word.length, to, options } : null;
+    return options.length > 0 ? { from: position - word.length, options, closed: word.startsWith('"') ? /^"?/ : /^/ } : null;
   }
   if (!/^\s*[\w\-]*$/.test(line)) return null;
   const ofTables = line.trim() === '' ? optionsOfTables(schema) : [];
-  return { from: position - word.length, options: [...(header ? optionsOfKeys(table) : []), ...ofTables] };
+  return { from: position - word.length, options: [...(header ? optionsOfKeys(table) : []), ...ofTables], closed: /^/ };
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { autocompletion } from '@codemirror/autocomplete';
+import { autocompletion, insertCompletionText, pickedCompletion } from '@codemirror/autocomplete';
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
 import { toml } from '@codemirror/legacy-modes/mode/toml';
 import { lintGutter, setDiagnostics } from '@codemirror/lint';
@@ -42,13 +42,25 @@ const kTheme = EditorView.theme({
   '.cm-panels': { backgroundColor: 'var(--control)', color: 'var(--ink)' },
 });
 
+// What puts a completion into the text, in place of what `closed` matches behind it, too.
+function puts(text, closed) {
+  return (view, completion, from, to) => {
+    const rest = view.state.doc.lineAt(to).text.slice(to - view.state.doc.lineAt(to).from);
+    const change = insertCompletionText(view.state, text, from, to + closed.exec(rest)[0].length);
+    view.dispatch({ ...change, annotations: pickedCompletion.of(completion) });
+  };
+}
+
 /** The editor of a scenario, with completion by the schema, and with errors at their place. */
 export class Editor {
   /** `onChange(isByUser)` is called after each change of the text. */
   constructor(parent, schema, { onChange, onRun }) {
     const complete = (context) => {
       if (!context.explicit && !context.matchBefore(kBegun)) return null;
-      return completionsAt(schema, context.state.doc.toString(), context.pos);
+      const found = completionsAt(schema, context.state.doc.toString(), context.pos);
+      if (!found) return null;
+      const { from, options, closed } = found;
+      return { from, options: options.map((option) => ({ ...option, apply: puts(option.apply ?? option.label, closed) })) };
     };
     const label = EditorView.contentAttributes.of({ 'aria-label': 'Scenario, in TOML', spellcheck: 'false' });
     this.view = new EditorView({

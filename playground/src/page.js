@@ -47,8 +47,8 @@ class Playground {
     this.viewer = new ViewerFrame(element('viewer'));
     /** The scenario or lesson that was chosen: {name, text, hash}, without a hash if it has none. */
     this.chosen = null;
-    /** What was edited before another scenario was chosen, as `chosen`; null if nothing was. */
-    this.yours = null;
+    /** What was edited before something else was opened: as `chosen`, with the end of the run and the state of the viewer. */
+    this.yours = [];
     this.run = null;
     this.state = 'idle'; // or starting, running, paused, ended
     /** Whether the end beside the button is another than that in the text. */
@@ -63,7 +63,8 @@ class Playground {
 
   fillChoices() {
     const options = (choices) => [...choices.values()].map(({ name, title }) => new Option(title, name));
-    element('scenario').append(...options(this.scenarios), Object.assign(new Option('–', ''), { hidden: true }));
+    const yours = Object.assign(document.createElement('optgroup'), { id: 'yours', label: 'Yours', hidden: true });
+    element('scenario').append(yours, ...options(this.scenarios), Object.assign(new Option('–', ''), { hidden: true }));
     element('lesson').append(...options(this.lessons));
     element('lesson-label').hidden = this.lessons.size === 0;
   }
@@ -87,14 +88,16 @@ class Playground {
 
   /** Opens a scenario or a lesson of the playground, or one from a link, which has a name and a text. */
   open(chosen, { until, v = '' } = {}) {
+    this.keep();
     this.discard();
     this.viewer.beginWith(v);
     this.chosen = chosen;
     const { kind } = this;
-    element('scenario').value = kind === 'scenario' ? chosen.name : '';
-    const other = element('scenario').querySelector('[value=""]');
-    other.textContent = chosen === this.yours || (kind !== 'link' && this.yours) ? 'Yours' : kind === 'link' ? 'From a link' : '–';
-    other.hidden = !this.yours;
+    const own = this.yours.indexOf(chosen);
+    element('yours').replaceChildren(...this.yours.map(({ name }, k) => new Option(`${name}, edited`, `yours ${k}`)));
+    element('yours').hidden = this.yours.length === 0;
+    element('scenario').value = kind === 'scenario' ? chosen.name : own < 0 ? '' : `yours ${own}`;
+    element('scenario').querySelector('[value=""]').textContent = kind === 'link' ? 'From a link' : '–';
     element('lesson').value = kind === 'lesson' ? chosen.name : '';
     element('description').textContent = chosen.description ?? '';
     element('lesson-text').innerHTML = chosen.html ?? '';
@@ -108,11 +111,14 @@ class Playground {
     this.changed();
   }
 
-  /** Opens what is chosen from a list, and keeps what was edited before. */
-  choose(chosen) {
-    if (chosen !== this.yours && (this.kind === 'link' || !this.isUnchanged))
-      this.yours = { name: this.chosen.name, text: this.editor.text };
-    this.open(chosen);
+  // Keeps what is edited, so that it can be chosen again.
+  keep() {
+    if (!this.chosen || (this.kind !== 'link' && this.isUnchanged)) return;
+    const until = this.isUntilGiven ? element('until').value : undefined;
+    const own = { name: this.chosen.name, text: this.editor.text, until, v: this.viewer.viewState };
+    const place = this.yours.indexOf(this.chosen);
+    if (place < 0) this.yours.push(own);
+    else this.yours[place] = own;
   }
 
   /** What was chosen: a 'scenario' or a 'lesson' of the playground, or a 'link'. */
@@ -160,9 +166,11 @@ class Playground {
     const { text } = this.editor;
     const found = await this.checks.check({ text, name: `${this.chosen.name}.toml`, files: this.filesOf(text) });
     if (!found || text !== this.editor.text) return;
+    this.problem = found.error;
     this.showProblem(found.error);
     this.scenarioUntil = found.until ?? null;
-    if (!found.error && !this.isUntilGiven && document.activeElement !== element('until')) element('until').value = found.until ?? '';
+    const { valueAsNumber } = element('until');
+    if (!found.error && !this.isUntilGiven && valueAsNumber !== found.until) element('until').value = found.until ?? '';
     this.isChecked = this.isReady = true;
     this.writeAddress();
     if (this.state === 'idle') element('status').textContent = found.error ? 'The scenario has an error.' : 'Ready to run.';
@@ -170,7 +178,6 @@ class Playground {
   }
 
   showProblem(error) {
-    this.problem = error;
     this.editor.showError(error);
     element('problem').hidden = !error;
     if (!error) return;
@@ -180,10 +187,10 @@ class Playground {
   }
 
   // The end of the run, in the text if that gives one.
-  giveUntil(value) {
+  giveUntil(time) {
     const number = this.numberOfUntil;
-    if (number && value !== '') return this.editor.replace(number.from, number.to, value);
-    this.isUntilGiven = value !== '';
+    if (number && Number.isFinite(time)) return this.editor.replace(number.from, number.to, String(time));
+    this.isUntilGiven = Number.isFinite(time);
     this.showButtons();
     this.writeAddress();
   }
@@ -228,33 +235,35 @@ class Playground {
     if (this.state === 'running') return this.run.pause();
     if (this.state === 'paused' && this.isOfRun && !this.run.isFull) return this.goOn();
     this.showPart('spheres');
-    const hasBegun = await this.restart();
-    if (!hasBegun && this.state === 'idle') this.showPart(this.problem ? 'scenario' : 'results');
+    return this.restart({ isAsked: true });
   }
 
   get isOfRun() {
     return this.run?.text === this.editor.text && this.run.until === Number(element('until').value);
   }
 
-  /** Begins a new run; whether it has begun. */
-  async restart() {
+  /** Begins a new run. If it cannot begin and the user `isAsked` for it, the part of the page that says why is shown. */
+  async restart({ isAsked = false } = {}) {
+    const refuse = (message, part) => {
+      this.enter('idle');
+      this.fail(message);
+      if (isAsked) this.showPart(part);
+    };
     this.discard();
     this.wasRun = true;
     this.enter('starting');
     if (!this.isChecked) await this.check();
-    if (this.state !== 'starting') return false;
+    if (this.state !== 'starting') return;
     if (this.problem) {
-      this.enter('idle');
+      refuse(this.problem.message, 'scenario');
       element('status').textContent = 'The scenario has an error.';
-      this.fail(this.problem.message);
-      return false;
+      return;
     }
     const until = element('until').valueAsNumber;
     if (!(until >= 0)) {
-      this.enter('idle');
-      this.fail('The scenario does not say when it ends: give a time after "until".');
+      refuse('The scenario does not say when it ends: give a time after "until".', 'results');
       element('until').focus();
-      return false;
+      return;
     }
     const { text } = this.editor;
     const begun = new Run({
@@ -268,24 +277,20 @@ class Playground {
     });
     begun.expected = this.isUnchanged && until === this.scenarioUntil ? this.chosen.hash : undefined;
     begun.isMeasured = element('measure').checked;
-    if (this.state !== 'starting') return false;
+    if (this.state !== 'starting') return;
     this.run = begun;
     try {
       await begun.start();
     } catch (error) {
-      if (this.run !== begun) return false;
+      if (this.run !== begun) return;
       this.showProblem(error.problem ? error : null);
       this.discard();
-      this.fail(error.message);
-      return false;
+      refuse(error.message, error.problem ? 'scenario' : 'results');
+      return;
     }
-    if (this.run !== begun) {
-      begun.close();
-      return false;
-    }
+    if (this.run !== begun) return begun.close();
     this.viewer.show(begun);
-    this.goOn();
-    return true;
+    await this.goOn();
   }
 
   async goOn() {
@@ -458,13 +463,16 @@ class Playground {
       button.addEventListener('click', () => this.showPart(button.dataset.part));
     for (const button of document.querySelectorAll('dialog .close'))
       button.addEventListener('click', () => button.closest('dialog').close());
-    element('scenario').addEventListener('change', ({ target }) => this.choose(this.scenarios.get(target.value) ?? this.yours));
+    element('scenario').addEventListener('change', ({ target }) => {
+      const own = this.yours[target.value.replace('yours ', '')];
+      this.open(own ?? this.scenarios.get(target.value), own);
+    });
     element('lesson').addEventListener('change', ({ target }) =>
-      this.choose(this.lessons.get(target.value) ?? this.scenarios.get(kFirstScenario)),
+      this.open(this.lessons.get(target.value) ?? this.scenarios.get(kFirstScenario)),
     );
     const until = element('until');
     until.addEventListener('focus', () => until.select());
-    until.addEventListener('input', () => this.giveUntil(until.value));
+    until.addEventListener('input', () => this.giveUntil(until.valueAsNumber));
     until.addEventListener('change', () => {
       if (until.value === '') until.value = this.scenarioUntil ?? '';
     });

@@ -98,8 +98,8 @@ test('completion knows tables, keys and values', () => {
   assert.ok(key.apply === 'until = ' && key.info.length > 10);
   // What an editor has closed by itself is a part of what is replaced.
   const replaced = (text, after) => {
-    const { from, to } = completionsAt(schema, text + after, text.length);
-    return (text + after).slice(from, to);
+    const { from, closed } = completionsAt(schema, text + after, text.length);
+    return text.slice(from) + closed.exec(after)[0];
   };
   assert.equal(replaced('[resp', ']\n'), '[resp]');
   assert.equal(replaced('[[sph', ']]\n'), '[[sph]]');

@@ -211,11 +211,20 @@ test('keys and values are completed', async () => {
   await page.waitForTimeout(200); // CodeMirror ignores keys that come too soon
   await page.keyboard.press('Enter');
   assert.equal(await textOf(page), '[box]\nboundary = ');
-  await page.keyboard.type('["per');
+  // The editor closes brackets and quotation marks by itself.
+  await page.keyboard.type('["');
   await page.waitForSelector('.cm-tooltip-autocomplete');
-  await page.waitForTimeout(200);
+  await page.keyboard.type('p');
+  await page.waitForTimeout(400);
   await page.keyboard.press('Enter');
-  assert.match(await textOf(page), /boundary = \["periodic"/);
+  assert.equal(await textOf(page), '[box]\nboundary = ["periodic"]');
+  await replaceText(page, '');
+  await page.keyboard.type('[');
+  await page.waitForSelector('.cm-tooltip-autocomplete');
+  await page.keyboard.type('o');
+  await page.waitForTimeout(400);
+  await page.keyboard.press('Enter');
+  assert.match(await textOf(page), /^\[{1,2}o[a-z]+\]{1,2}$/);
   await close(page);
 });
 
@@ -319,6 +328,9 @@ test('what was changed last says when a run ends', async () => {
   await page.waitForFunction(() => document.getElementById('until').value === '2');
   await page.fill('#until', '8');
   assert.match(await textOf(page), /^until = 8$/m);
+  await page.fill('#until', '.5');
+  assert.match(await textOf(page), /^until = 0.5$/m);
+  await page.fill('#until', '8');
   await page.waitForFunction(() => document.querySelector('#sliders input[data-path="run.until"]').value === '8');
   await close(page);
 });
@@ -328,8 +340,13 @@ test('what is edited stays when another scenario is chosen', async () => {
   await replaceText(page, kGas);
   await page.selectOption('#scenario', 'two_spheres');
   assert.notEqual(await textOf(page), kGas);
-  await page.selectOption('#scenario', { label: 'Yours' });
-  assert.equal(await textOf(page), kGas);
+  const other = kGas.replace('count = 100', 'count = 90');
+  await replaceText(page, other);
+  for (const [number, text] of [[0, kGas], [1, other], [0, kGas]]) {
+    await page.selectOption('#scenario', `yours ${number}`);
+    assert.equal(await textOf(page), text);
+  }
+  assert.equal(await page.locator('#yours option').count(), 2);
   await close(page);
 });
 

@@ -161,6 +161,9 @@ TEST(Mesh, LeavesOutTrianglesThatAreThereTwice) {
   const Mesh mesh(parts);
   EXPECT_EQ(mesh.report().duplicate_triangles, 2U);
   EXPECT_EQ(mesh.report().flat_triangles, 2U);
+  ASSERT_EQ(mesh.triangles().size(), 3U);
+  // Of equal ones, the first stays.
+  EXPECT_EQ(mesh.triangles()[0], (Mesh::Triangle{0, 1, 2}));
   EXPECT_FALSE(mesh.has_area(1));
 }
 
