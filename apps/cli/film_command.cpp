@@ -234,7 +234,7 @@ ExitCode film(const FilmOptions& options) {
     const Profile profile;
     platform::ChildProgram browser(
         program, browser_arguments(profile, server.url() + "&film=1#" + state_in(options.view)));
-    if (!browser.is_running()) throw RunFailure("cannot start " + program.string());
+    if (!browser.has_started()) throw RunFailure("cannot start " + program.string());
     await(film, browser, order, options.run.quiet);
   }
   film.close();

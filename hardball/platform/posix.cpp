@@ -336,7 +336,7 @@ std::filesystem::path find_program(const std::vector<std::string_view>& names) {
 }
 
 ChildProgram::ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments)
-    : process_(start_program(program.string(), arguments)), group_(process_) {}
+    : process_(start_program(program.string(), arguments)), group_(process_), has_started_(process_ != 0) {}
 
 ChildProgram::~ChildProgram() {
   if (group_ == 0) return;

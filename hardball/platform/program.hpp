@@ -47,18 +47,21 @@ std::filesystem::path find_program(const std::vector<std::string_view>& names);
 /// Another program that runs beside this one, without input, output and messages.
 class ChildProgram {
  public:
-  /// Starts it: its file, and its arguments. If that is impossible, it does not run.
+  /// Starts it: its file, and its arguments.
   ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments);
   /// Ends it, with all that it has started.
   ~ChildProgram();
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
+  /// Whether it could be started: it may have ended since.
+  bool has_started() const { return has_started_; }
   bool is_running();
 
  private:
   std::intptr_t process_ = 0;  // none if it is zero
   std::intptr_t group_ = 0;    // what ends with it, where the system has a name for that
+  bool has_started_ = false;
 };
 
 /// Whether this process may do all that the system allows.

@@ -337,6 +337,7 @@ ChildProgram::ChildProgram(const std::filesystem::path& program, const std::vect
     ResumeThread(process.hThread);
     CloseHandle(process.hThread);
     process_ = reinterpret_cast<std::intptr_t>(process.hProcess);
+    has_started_ = true;
   }
   group_ = reinterpret_cast<std::intptr_t>(job);
 }
