@@ -270,6 +270,7 @@ test('a link has the whole scenario', async () => {
   const edited = kGas.replace('until = 2.0', 'until = 1.5');
   assert.equal(await textOf(page), edited);
   await page.click('#share');
+  await page.waitForSelector('#link[open]');
   const link = await page.inputValue('#address');
   assert.ok(link.startsWith(`${address}#`) && link.length < 1000, link);
   await page.click('#link .close');
@@ -305,6 +306,7 @@ test('the viewer plays at once, and looks as it did before and as a link says', 
   await viewer.selectOption('#color-by', 'collisions');
   await viewer.waitForFunction(() => location.hash.includes('color=collisions'));
   await page.click('#share');
+  await page.waitForSelector('#link[open]');
   assert.match(decodeURIComponent(await page.inputValue('#address')), /v=.*color=collisions/);
   await page.click('#link .close');
   await runToEnd(page);
