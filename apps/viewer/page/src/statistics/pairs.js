@@ -31,7 +31,6 @@ export function radialDistribution(centers, radius, box, time) {
   const sample = inner.filter((_, k) => k % every === 0).slice(0, kMostCenters);
 
   const pairs = new Float64Array(kIntervals);
-  const [lengthX, lengthY, lengthZ] = box.period;
   for (const id of sample) {
     const [atX, atY, atZ] = centers.subarray(3 * id, 3 * id + 3);
     for (let place = 0; place < centers.length; place += 3) {
@@ -41,10 +40,10 @@ export function radialDistribution(centers, radius, box, time) {
       if (box.isSheared) {
         [x, y, z] = box.nearestApart([x, y, z], time);
       } else {
-        x = nearest(x, lengthX);
+        x = box.nearest(x, 0);
         if (x >= reach || x <= -reach) continue;
-        y = nearest(y, lengthY);
-        z = nearest(z, lengthZ);
+        y = box.nearest(y, 1);
+        z = box.nearest(z, 2);
       }
       const interval = Math.floor((Math.sqrt(x * x + y * y + z * z) / reach) * kIntervals);
       if (interval < kIntervals) ++pairs[interval];
@@ -57,11 +56,4 @@ export function radialDistribution(centers, radius, box, time) {
   const expected = (k) => (sample.length * (count - 1) * (ball((k + 1) * width) - ball(k * width))) / volume;
   const middles = Array.from(pairs, (_, k) => (k + 0.5) * width);
   return [middles, Array.from(pairs, (number, k) => number / expected(k))];
-}
-
-// The shortest of the differences between images of two places, one in each box, along an axis of this period; zero says
-// that it has no images.
-function nearest(difference, period) {
-  if (2 * difference > period && period > 0) return difference - period;
-  return 2 * difference < -period && period > 0 ? difference + period : difference;
 }
